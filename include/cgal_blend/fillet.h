@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_FILLET_H
+#define CGAL_BLEND_FILLET_H
+
+#include <cgal_blend/blend_mesh.h>
+#include <cgal_blend/status.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace cgal_blend {
+
+/// Options of the rolling-ball blends; one set for all curves of a call.
+struct Fillet_options {
+  double radius = 0;             ///< ball radius, length units, > 0
+  double chord_tolerance = 2e-3; ///< largest distance between arc and facets as a fraction of the radius, in [1e-6, 0.3]
+  double smooth_angle = 40;      ///< faces whose normals differ by less belong to one smooth surface, degrees in (0, 180)
+  bool keep_going = false;       ///< leave curves that cannot be blended sharp instead of refusing all
+
+  /// Called with a fraction in [0,1] from time to time; return false to cancel.
+  std::function<bool(double)> progress;
+};
+
+enum class Boolean_operation { union_, intersection, difference };
+
+/// What became of one blending curve.
+struct Blend_report {
+  Diagnosis diagnosis;
+  std::size_t edges = 0;     ///< edges of the blending curve
+  bool closed = true;
+  bool convex = false;       ///< true: material removed; false: material added
+  double radius = 0;
+  double radius_error = 0;   ///< largest | |x - spine| - r | / r over the new vertices
+  double tangency_deg = 0;   ///< largest angle across the linkage curves between the blend's tangent plane and the base face, degrees
+};
+
+/// Wall-clock times of the stages, milliseconds.
+struct Stage_times {
+  double boolean = 0;
+  double blend = 0;
+  double validate = 0;
+};
+
+/// A blend of one mesh as the engines produce it.
+struct Fillet_outcome {
+  Diagnosis diagnosis;                ///< `ok`, or the first refusal; then the output mesh is left empty
+  std::vector<Blend_report> blends;   ///< one per blending curve, in the order of the curves
+  std::vector<Face> blend_faces;      ///< faces of the transition surfaces
+  std::vector<Face> changed_faces;    ///< every face that is not a face of the input, blend faces included
+  std::size_t kept_faces = 0;         ///< faces bit-identical to faces of the input, order kept
+  double volume = 0, area = 0;        ///< of the output
+  Stage_times times;
+
+  [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
+};
+
+/// The edges of one blend with their radius; `edges` of the input mesh, in any order.
+struct Edge_blend {
+  std::vector<Edge> edges;
+  double radius = 0;  ///< 0: the radius of the options
+};
+
+/// Blends edges of a mesh with a rolling ball (stitching mode, circular arc).
+/// \param mesh closed, 2-manifold, outward oriented, without self-intersections: checked by the caller (`validate`)
+/// \param out receives the result; vertices and faces of the input that are kept come first, in their order
+/// Refuses by name in the outcome; never throws for bad data, never changes `mesh`.
+/// Source: Liu et al., Mesh blending, The Visual Computer 21 (2005), sections 3 and 4.
+[[nodiscard]] Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, Blend_mesh& out,
+                                          const Fillet_options& options);
+
+/// Computes a boolean of two meshes and blends their intersection curves; radius 0 leaves the curves sharp.
+/// Faces of `a` that are kept come first in `out`, then those of `b`, then new ones.
+[[nodiscard]] Fillet_outcome corefine_and_fillet(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation,
+                                                 Blend_mesh& out, const Fillet_options& options);
+
+}  // namespace cgal_blend
+
+#include <cgal_blend/fillet_graphs.h>  // the same for meshes of any type
+
+#endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_FILLET_GRAPHS_H
+#define CGAL_BLEND_FILLET_GRAPHS_H
+
+#include <cgal_blend/fillet.h>
+#include <cgal_blend/internal/copy_mesh.h>
+#include <cgal_blend/validate.h>
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// The operations of fillet.h for meshes of any type. Included by it.
+
+namespace cgal_blend {
+
+/// What is done about an input mesh before anything else.
+enum class Input_check {
+  full,  ///< `validate`; a mesh that is not acceptable is refused by name
+  none   ///< nothing: the caller vouches for it, for example because this library wrote it
+};
+
+/// Options of the overloads for meshes of any type.
+struct Graph_fillet_options : Fillet_options {
+  Graph_fillet_options(const Fillet_options& options = {}, Input_check check = Input_check::full)
+      : Fillet_options(options), input_check(check) {}
+  Input_check input_check;
+};
+
+/// The edges of one blend with their radius, for a mesh of any type.
+template <class Graph>
+struct Edge_blend_of {
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;  ///< of the input mesh, in any order
+  double radius = 0;                                                        ///< 0: the radius of the options
+};
+
+/// A blend of meshes of any type; the descriptors are those of the output mesh.
+template <class Graph>
+struct Fillet_result {
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+
+  Diagnosis diagnosis;                         ///< `ok`, or the first refusal; then the output mesh is left as it was
+  std::vector<Blend_report> blends;            ///< one per blending curve
+  std::vector<face_descriptor> blend_faces;    ///< faces of the transition surfaces
+  std::vector<face_descriptor> changed_faces;  ///< every face that is not a face of an input, blend faces included
+  std::size_t kept_faces = 0;                  ///< faces bit-identical to faces of an input, order kept
+  double volume = 0, area = 0;                 ///< of the output
+  Stage_times times;                           ///< `validate` includes the check of the inputs
+
+  [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
+};
+
+namespace internal {
+
+/// Validates an input mesh; `which` names it in the message where there are two. Adds the time it took.
+inline Diagnosis check_input(const Blend_mesh& mesh, const Graph_fillet_options& options, const char* which, Stage_times& times) {
+  if (options.input_check == Input_check::none) return {};
+  const auto start = std::chrono::steady_clock::now();
+  Diagnosis diagnosis = validate(mesh).diagnosis;
+  times.validate += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  const bool name_it = !diagnosis.ok() && *which != '\0';
+  if (name_it) diagnosis.detail = diagnosis.detail.empty() ? which : which + (": " + diagnosis.detail);
+  return diagnosis;
+}
+
+template <class Graph>
+std::vector<typename boost::graph_traits<Graph>::face_descriptor> translated(const std::vector<Face>& faces,
+                                                                             const Copy_maps<Blend_mesh, Graph>& maps) {
+  std::vector<typename boost::graph_traits<Graph>::face_descriptor> result;
+  result.reserve(faces.size());
+  for (const Face f : faces) result.push_back(maps.faces.at(f));
+  return result;
+}
+
+/// Hands an engine's outcome to the user; the output mesh is only touched if there is something to write into it.
+template <class Graph, class Named_parameters>
+Fillet_result<Graph> hand_out(const Fillet_outcome& outcome, const Blend_mesh& mesh, const Stage_times& before, Graph& out,
+                              const Named_parameters& np) {
+  Fillet_result<Graph> result;
+  result.diagnosis = outcome.diagnosis;
+  result.blends = outcome.blends;
+  result.times = outcome.times;
+  result.times.validate += before.validate;
+  if (!outcome.ok()) return result;
+  const Copy_maps<Blend_mesh, Graph> maps = copy_out(mesh, out, np);
+  result.blend_faces = translated<Graph>(outcome.blend_faces, maps);
+  result.changed_faces = translated<Graph>(outcome.changed_faces, maps);
+  result.kept_faces = outcome.kept_faces;
+  result.volume = outcome.volume;
+  result.area = outcome.area;
+  return result;
+}
+
+template <class Graph>
+Fillet_result<Graph> refused(Diagnosis diagnosis, const Stage_times& times) {
+  Fillet_result<Graph> result;
+  result.diagnosis = std::move(diagnosis);
+  result.times = times;
+  return result;
+}
+
+}  // namespace internal
+
+/// Blends edges of a mesh with a rolling ball (stitching mode, circular arc). See the overload for `Blend_mesh`.
+/// \tparam Graph, Output models of `MutableFaceGraph` and `FaceListGraph` with points of any Cartesian kernel;
+///         exact coordinates are rounded to double
+/// \param mesh a triangle mesh, checked by `validate` unless the options say otherwise; indices in messages count its
+///        vertices and faces in the order of their ranges
+/// \param out receives the result; may be `mesh`; not touched if the blend is refused
+/// \param np_mesh, np_out `CGAL::parameters::vertex_point_map` of the meshes
+template <class Graph, class Output, class Named_parameters_mesh = CGAL::parameters::Default_named_parameters,
+          class Named_parameters_out = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] Fillet_result<Output> fillet_edges(const Graph& mesh, const std::vector<Edge_blend_of<Graph>>& blends, Output& out,
+                                                 const Graph_fillet_options& options,
+                                                 const Named_parameters_mesh& np_mesh = CGAL::parameters::default_values(),
+                                                 const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
+  const internal::Mesh_copy<Graph> copy(mesh, np_mesh);
+  Stage_times times;
+  if (Diagnosis bad = internal::check_input(copy.mesh(), options, "", times); !bad.ok())
+    return internal::refused<Output>(std::move(bad), times);
+  std::vector<Edge_blend> copied_blends;
+  for (const Edge_blend_of<Graph>& blend : blends) {
+    copied_blends.push_back({{}, blend.radius});
+    for (const auto e : blend.edges) copied_blends.back().edges.push_back(copy.copy_of_edge(e));
+  }
+  Blend_mesh result;
+  const Fillet_outcome outcome = fillet_edges(copy.mesh(), copied_blends, result, static_cast<const Fillet_options&>(options));
+  return internal::hand_out(outcome, result, times, out, np_out);
+}
+
+/// Computes a boolean of two meshes and blends their intersection curves; radius 0 leaves the curves sharp.
+/// See the overload for `Blend_mesh`; for the parameters, `fillet_edges` for meshes of any type.
+template <class Graph_a, class Graph_b, class Output, class Named_parameters_a = CGAL::parameters::Default_named_parameters,
+          class Named_parameters_b = CGAL::parameters::Default_named_parameters,
+          class Named_parameters_out = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] Fillet_result<Output> corefine_and_fillet(
+    const Graph_a& a, const Graph_b& b, Boolean_operation operation, Output& out, const Graph_fillet_options& options,
+    const Named_parameters_a& np_a = CGAL::parameters::default_values(),
+    const Named_parameters_b& np_b = CGAL::parameters::default_values(),
+    const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
+  const internal::Mesh_copy<Graph_a> copy_a(a, np_a);
+  const internal::Mesh_copy<Graph_b> copy_b(b, np_b);
+  Stage_times times;
+  if (Diagnosis bad = internal::check_input(copy_a.mesh(), options, "first body", times); !bad.ok())
+    return internal::refused<Output>(std::move(bad), times);
+  if (Diagnosis bad = internal::check_input(copy_b.mesh(), options, "second body", times); !bad.ok())
+    return internal::refused<Output>(std::move(bad), times);
+  Blend_mesh result;
+  const Fillet_outcome outcome =
+      corefine_and_fillet(copy_a.mesh(), copy_b.mesh(), operation, result, static_cast<const Fillet_options&>(options));
+  return internal::hand_out(outcome, result, times, out, np_out);
+}
+
+}  // namespace cgal_blend
+
+#endif

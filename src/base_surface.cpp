@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base_surface.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int longest_walk = 4096;  // faces; a walk is a Newton step, a few ball radii long
+
+double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+}  // namespace
+
+Base_surface::Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases)
+    : mesh_(mesh), options_(options), cos_smooth_(std::cos(options.smooth_angle * pi / 180)), creases_(creases) {}
+
+Vec Base_surface::raw_normal(Face face) const {
+  const Halfedge h = mesh_.halfedge(face);
+  const Vec a = to_vec(mesh_.point(mesh_.source(h)));
+  const Vec b = to_vec(mesh_.point(mesh_.target(h)));
+  const Vec c = to_vec(mesh_.point(mesh_.target(mesh_.next(h))));
+  const Vec n = (b - a).cross(c - a).stableNormalized();
+  return options_.reversed ? Vec(-n) : n;
+}
+
+bool Base_surface::sharp(Edge e) const {
+  if (creases_ && creases_->count(e)) return true;
+  const Halfedge h = mesh_.halfedge(e);
+  if (mesh_.is_border(e)) return true;
+  return raw_normal(mesh_.face(h)).dot(raw_normal(mesh_.face(mesh_.opposite(h)))) < cos_smooth_;
+}
+
+std::vector<Halfedge> Base_surface::fan_corners(Halfedge h) const {
+  const auto backward = [&](Halfedge g) { return mesh_.prev(mesh_.opposite(g)); };
+  const auto forward = [&](Halfedge g) { return mesh_.opposite(mesh_.next(g)); };
+  Halfedge first = h;
+  while (!sharp(mesh_.edge(first))) {
+    first = backward(first);
+    if (first == h) break;
+  }
+  std::vector<Halfedge> corners{first};
+  for (Halfedge g = first; !sharp(mesh_.edge(mesh_.next(g)));) {
+    g = forward(g);
+    if (g == first) break;
+    corners.push_back(g);
+  }
+  return corners;
+}
+
+Halfedge Base_surface::fan(Halfedge h) const {
+  const auto found = fans_.find(h.idx());
+  if (found != fans_.end()) return found->second;
+  const std::vector<Halfedge> corners = fan_corners(h);
+  const Halfedge id = *std::min_element(corners.begin(), corners.end());
+  for (const Halfedge g : corners) fans_[g.idx()] = id;
+  return id;
+}
+
+Vec Base_surface::smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const {
+  Vec sum = Vec::Zero();
+  if (pass == 0) {
+    // Weights by angle: a quadrilateral split along either diagonal gives the same normal.
+    for (const Halfedge g : corners) {
+      const Vec v = to_vec(mesh_.point(mesh_.target(g)));
+      const Vec to = to_vec(mesh_.point(mesh_.target(mesh_.next(g)))) - v;
+      const Vec from = to_vec(mesh_.point(mesh_.source(g))) - v;
+      sum += angle_between(to, from) * raw_normal(mesh_.face(g));
+    }
+    return sum.stableNormalized();
+  }
+  for (const Halfedge g : corners)
+    sum += corner_normal(mesh_.next(g), pass - 1) + corner_normal(mesh_.prev(g), pass - 1);
+  sum /= 2.0 * static_cast<double>(corners.size());
+  return (sum + corner_normal(id, pass - 1)).stableNormalized();
+}
+
+Vec Base_surface::corner_normal(Halfedge h, int pass) const {
+  const Halfedge id = fan(h);
+  const std::uint64_t key = (static_cast<std::uint64_t>(pass) << 32) | id.idx();
+  const auto found = normals_.find(key);
+  if (found != normals_.end()) return found->second;
+  const Vec n = smoothed_normal(fan_corners(id), id, pass);
+  normals_.emplace(key, n);
+  return n;
+}
+
+const Base_surface::Frame& Base_surface::frame(Face face) const {
+  const auto found = frames_.find(face.idx());
+  if (found != frames_.end()) return found->second;
+  Frame f;
+  f.halfedge[0] = mesh_.halfedge(face);
+  f.halfedge[1] = mesh_.next(f.halfedge[0]);
+  f.halfedge[2] = mesh_.next(f.halfedge[1]);
+  for (int i = 0; i < 3; ++i) {
+    f.corner[i] = to_vec(mesh_.point(mesh_.target(f.halfedge[i])));
+    f.normal[i] = corner_normal(f.halfedge[i], options_.smoothing_passes);
+  }
+  const Vec cross = (f.corner[1] - f.corner[0]).cross(f.corner[2] - f.corner[0]);
+  const Vec unit = cross.stableNormalized();
+  for (int i = 0; i < 3; ++i)
+    f.gradient[i] = unit.cross(f.corner[(i + 2) % 3] - f.corner[(i + 1) % 3]) / cross.stableNorm();
+  f.face_normal = options_.reversed ? Vec(-unit) : unit;
+  return frames_.emplace(face.idx(), f).first->second;
+}
+
+Vec Base_surface::position(const Surface_point& at) const {
+  const Frame& f = frame(at.face);
+  return at.bary[0] * f.corner[0] + at.bary[1] * f.corner[1] + at.bary[2] * f.corner[2];
+}
+
+Vec Base_surface::normal(const Surface_point& at) const {
+  const Frame& f = frame(at.face);
+  return (at.bary[0] * f.normal[0] + at.bary[1] * f.normal[1] + at.bary[2] * f.normal[2]).stableNormalized();
+}
+
+Base_surface::Offset Base_surface::offset(const Surface_point& at, double distance) const {
+  const Frame& f = frame(at.face);
+  Vec p = Vec::Zero(), n = Vec::Zero();
+  Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    p += at.bary[i] * f.corner[i];
+    n += at.bary[i] * f.normal[i];
+    gradient += f.normal[i] * f.gradient[i].transpose();
+  }
+  const double length = n.norm();
+  const Vec unit = n / length;
+  const Eigen::Matrix3d project = Eigen::Matrix3d::Identity() - unit * unit.transpose();
+  return {p + distance * unit, Eigen::Matrix3d::Identity() + distance / length * project * gradient};
+}
+
+Surface_point Base_surface::locate(Face face, const Vec& p) const {
+  const Frame& f = frame(face);
+  Surface_point at{face, {}};
+  for (int i = 0; i < 3; ++i) at.bary[i] = 1 + f.gradient[i].dot(p - f.corner[i]);
+  if (at.bary.minCoeff() >= 0) return at;
+  double best = -1;
+  for (int i = 0; i < 3; ++i) {  // outside: the nearest point lies on one of the sides
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const Vec side = f.corner[k] - f.corner[j];
+    const double t = std::clamp((p - f.corner[j]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    const double distance = (f.corner[j] + t * side - p).squaredNorm();
+    if (best >= 0 && distance >= best) continue;
+    best = distance;
+    at.bary[i] = 0;
+    at.bary[j] = 1 - t;
+    at.bary[k] = t;
+  }
+  return at;
+}
+
+bool Base_surface::crossable(Halfedge h) const {
+  if (mesh_.is_border(mesh_.edge(h))) return false;
+  if (!sharp(mesh_.edge(h))) return true;
+  if (creases_ && creases_->count(mesh_.edge(h))) return false;
+  const Halfedge o = mesh_.opposite(h);
+  return fan(h) == fan(mesh_.prev(o)) && fan(mesh_.prev(h)) == fan(o);
+}
+
+Base_surface::Walk Base_surface::walk(Surface_point from, Vec displacement) const {
+  for (int step = 0; step < longest_walk; ++step) {
+    const Frame& f = frame(from.face);
+    Eigen::Vector3d rate;
+    for (int i = 0; i < 3; ++i) rate[i] = f.gradient[i].dot(displacement);
+    int exit = -1;
+    double part = 1;
+    for (int i = 0; i < 3; ++i)
+      if (rate[i] < 0 && from.bary[i] + part * rate[i] < 0) {
+        part = std::max(0.0, from.bary[i] / -rate[i]);
+        exit = i;
+      }
+    from.bary = (from.bary + part * rate).cwiseMax(0.0);
+    from.bary /= from.bary.sum();
+    if (exit < 0) return {from, Halfedge()};
+    from.bary[exit] = 0;
+    // The side opposite to corner i is the halfedge that ends in corner i + 2.
+    const Halfedge h = f.halfedge[(exit + 2) % 3];
+    if (!crossable(h)) return {from, h};
+    const Halfedge o = mesh_.opposite(h);
+    const Frame& g = frame(mesh_.face(o));
+    const Vec side = (f.corner[(exit + 2) % 3] - f.corner[(exit + 1) % 3]).stableNormalized();
+    const Vec rest = (1 - part) * displacement;
+    const double along = rest.dot(side);
+    const double across = (rest - along * side).norm();
+    Surface_point to{mesh_.face(o), Eigen::Vector3d::Zero()};
+    for (int i = 0; i < 3; ++i) {
+      if (g.halfedge[i] == o) {  // o ends where h starts
+        to.bary[i] = from.bary[(exit + 1) % 3];
+        to.bary[(i + 2) % 3] = from.bary[(exit + 2) % 3];
+        displacement = along * side + across * g.gradient[(i + 1) % 3].stableNormalized();
+      }
+    }
+    from = to;
+  }
+  return {from, Halfedge()};
+}
+
+}  // namespace cgal_blend

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_BASE_SURFACE_H
+#define CGAL_BLEND_SRC_BASE_SURFACE_H
+
+#include <cgal_blend/blend_mesh.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace cgal_blend {
+
+using Vec = Eigen::Vector3d;
+
+inline Vec to_vec(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+inline Point_3 to_point(const Vec& v) { return {v.x(), v.y(), v.z()}; }
+
+/// A point of a mesh: a face, and the barycentric coordinates with respect to the targets of its halfedges
+/// h, next(h), next(next(h)) where h = halfedge(face).
+struct Surface_point {
+  Face face;
+  Eigen::Vector3d bary = Eigen::Vector3d::Constant(1.0 / 3);
+};
+
+/// A triangle mesh seen as a piecewise smooth surface: within a smooth group normals are interpolated linearly
+/// between corner normals and normalized, so that the offset p + d n/|n| is continuous and at the exact distance |d|.
+/// Everything is evaluated on demand, so that the cost depends on what is visited only.
+class Base_surface {
+ public:
+  struct Options {
+    double smooth_angle = 40;   ///< degrees; across edges above it normals are not averaged
+    int smoothing_passes = 0;   ///< Laplacian passes over the corner normals, for surfaces rough at the ball's scale
+    bool reversed = false;      ///< true: the solid lies on the side the faces point to
+  };
+
+  /// \param creases edges across which the surface is not smooth, whatever their angle; may be null
+  Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases = nullptr);
+
+  /// What a face contributes to evaluations.
+  struct Frame {
+    std::array<Halfedge, 3> halfedge;  ///< their targets are the corners
+    std::array<Vec, 3> corner;
+    std::array<Vec, 3> normal;         ///< corner normals, outward of the solid
+    std::array<Vec, 3> gradient;       ///< of the barycentric coordinates
+    Vec face_normal;                   ///< unit, outward of the solid
+  };
+
+  /// Offset point and its derivative with respect to tangential displacements of the foot point.
+  struct Offset {
+    Vec point;
+    Eigen::Matrix3d derivative;
+  };
+
+  /// End of a walk; `blocked` is the sharp edge at which it stopped short.
+  struct Walk {
+    Surface_point end;
+    Halfedge blocked;
+  };
+
+  [[nodiscard]] const Blend_mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Frame& frame(Face face) const;
+  [[nodiscard]] Vec position(const Surface_point& at) const;
+  [[nodiscard]] Vec normal(const Surface_point& at) const;
+  [[nodiscard]] Offset offset(const Surface_point& at, double distance) const;
+
+  /// Nearest point of one face to p.
+  [[nodiscard]] Surface_point locate(Face face, const Vec& p) const;
+
+  /// Walks straight ahead over the unfolded faces, as far as `displacement` is long.
+  [[nodiscard]] Walk walk(Surface_point from, Vec displacement) const;
+
+  /// True if the interpolated normals agree on both sides of the edge.
+  [[nodiscard]] bool crossable(Halfedge h) const;
+
+  /// Identifies the smooth fan of faces around target(h) that face(h) belongs to.
+  [[nodiscard]] Halfedge fan(Halfedge h) const;
+
+ private:
+  [[nodiscard]] bool sharp(Edge e) const;
+  [[nodiscard]] Vec corner_normal(Halfedge h, int pass) const;
+  [[nodiscard]] Vec smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const;
+  [[nodiscard]] std::vector<Halfedge> fan_corners(Halfedge h) const;
+  [[nodiscard]] Vec raw_normal(Face face) const;
+
+  const Blend_mesh& mesh_;
+  Options options_;
+  double cos_smooth_;
+  const std::unordered_set<Edge>* creases_;
+  mutable std::unordered_map<std::uint32_t, Frame> frames_;
+  mutable std::unordered_map<std::uint32_t, Halfedge> fans_;
+  mutable std::unordered_map<std::uint64_t, Vec> normals_;
+};
+
+}  // namespace cgal_blend
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "blend_strip.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double opening(const Ball_position& p) {
+  const Vec a = p.contact[0] - p.center, b = p.contact[1] - p.center;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// The point at fraction t of the arc between the contacts: spherical interpolation of the two radii.
+Vec on_arc(const Ball_position& p, double t) {
+  const double angle = opening(p);
+  const Vec a = p.contact[0] - p.center, b = p.contact[1] - p.center;
+  if (std::sin(angle) < 1e-9) return p.center + (1 - t) * a + t * b;
+  return p.center + (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+}
+
+/// Vertices of a rim from one ball position to the next, both included.
+std::vector<Vertex> rim_between(const Rim& rim, std::size_t i, std::size_t j) {
+  std::vector<Vertex> chain;
+  const std::size_t n = rim.vertices.size(), last = rim.path.station_of[j];
+  std::size_t k = rim.path.station_of[i];
+  chain.push_back(rim.vertices[k]);
+  while (k != last) {
+    k = (k + 1) % n;
+    chain.push_back(rim.vertices[k]);
+  }
+  return chain;
+}
+
+/// Triangulates between two chains that face each other, `low` to the right of `high` seen along them from above;
+/// always takes the shorter of the two possible diagonals.
+void zip(const Blend_mesh& mesh, const std::vector<Vertex>& low, const std::vector<Vertex>& high,
+         std::vector<Triangle>& out) {
+  const auto distance = [&](Vertex a, Vertex b) { return (to_vec(mesh.point(a)) - to_vec(mesh.point(b))).squaredNorm(); };
+  std::size_t i = 0, j = 0;
+  while (i + 1 < low.size() || j + 1 < high.size()) {
+    const bool step_low = j + 1 == high.size() ||
+                          (i + 1 < low.size() && distance(low[i + 1], high[j]) <= distance(low[i], high[j + 1]));
+    if (step_low) {
+      out.push_back({low[i + 1], low[i], high[j]});
+      ++i;
+    } else {
+      out.push_back({low[i], high[j], high[j + 1]});
+      ++j;
+    }
+  }
+}
+
+double facet_count(const std::vector<Ball_position>& positions, double chord_tolerance) {
+  double widest = 0;
+  for (const Ball_position& p : positions) widest = std::max(widest, opening(p));
+  return std::max(2.0, std::ceil(widest / (2 * std::acos(1 - chord_tolerance)) - 1e-9));
+}
+
+double off_segment(const Vec& a, const Vec& b, const Vec& p) {
+  const Vec chord = b - a;
+  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (p - a - t * chord).norm();
+}
+
+}  // namespace
+
+std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const std::vector<Ball_position>& positions,
+                                       const std::array<const Rim*, 2>& rims, double chord_tolerance) {
+  const std::size_t n = positions.size();
+  const auto facets = static_cast<std::size_t>(facet_count(positions, chord_tolerance));
+  std::vector<std::vector<Vertex>> inner(n);  // per position, rows 1 .. facets - 1
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 1; k < facets; ++k)
+      inner[i].push_back(mesh.add_vertex(to_point(on_arc(positions[i], static_cast<double>(k) / static_cast<double>(facets)))));
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    zip(mesh, rim_between(*rims[0], i, j), {inner[i].front(), inner[j].front()}, triangles);
+    for (std::size_t k = 0; k + 2 < facets; ++k)
+      zip(mesh, {inner[i][k], inner[j][k]}, {inner[i][k + 1], inner[j][k + 1]}, triangles);
+    zip(mesh, {inner[i].back(), inner[j].back()}, rim_between(*rims[1], i, j), triangles);
+  }
+  return triangles;
+}
+
+Strip_quality measure_rims(const std::vector<Ball_position>& positions, const std::array<const Rim*, 2>& rims,
+                           double radius) {
+  Strip_quality quality;
+  for (int side = 0; side < 2; ++side) {
+    const Rim& rim = *rims[side];
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const std::size_t j = (i + 1) % positions.size(), last = rim.path.station_of[j];
+      const Vec &a = positions[i].center, &b = positions[j].center;
+      for (std::size_t k = rim.path.station_of[i];; k = (k + 1) % rim.vertices.size()) {
+        const double off = std::abs(off_segment(a, b, rim.path.stations[k].point) - radius) / radius;
+        quality.radius_error = std::max(quality.radius_error, off);
+        if (k == last) break;
+      }
+      const Vec radial = positions[i].contact[side] - positions[i].center;
+      const Vec& normal = rim.surface->frame(positions[i].foot[side].face).face_normal;
+      const double angle = std::atan2(radial.cross(normal).norm(), std::abs(radial.dot(normal)));
+      quality.tangency_deg = std::max(quality.tangency_deg, angle * 180 / pi);
+    }
+  }
+  return quality;
+}
+
+}  // namespace cgal_blend

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_BLEND_STRIP_H
+#define CGAL_BLEND_SRC_BLEND_STRIP_H
+
+#include "rolling_ball.h"
+#include "stitching.h"
+#include "trim.h"
+
+#include <array>
+#include <vector>
+
+namespace cgal_blend {
+
+/// Tessellates the blend between two rims: one circular arc per ball position, cut into equal facets; between the
+/// first and last column of arcs and the rims, triangles to every rim vertex. Adds the inner vertices to the mesh.
+/// \param rims left and right rim of the curve, with their vertices
+[[nodiscard]] std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const std::vector<Ball_position>& positions,
+                                                     const std::array<const Rim*, 2>& rims, double chord_tolerance);
+
+/// How far the rims are off the ball, see `Blend_report`.
+struct Strip_quality {
+  double radius_error = 0;
+  double tangency_deg = 0;
+};
+[[nodiscard]] Strip_quality measure_rims(const std::vector<Ball_position>& positions,
+                                         const std::array<const Rim*, 2>& rims, double radius);
+
+}  // namespace cgal_blend
+
+#endif

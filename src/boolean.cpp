@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boolean.h"
+
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+
+#include <array>
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace cgal_blend {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Cell = Cell_map::Cell;
+
+/// What the visitor learns; shared by its copies.
+struct Record {
+  std::array<const Blend_mesh*, 2> operand{};
+  std::array<std::size_t, 2> faces{}, vertices{};  // before corefinement
+  std::array<std::vector<Cell>, 2> origin;         // base face of each face, by operand
+  std::array<std::vector<Vertex>, 2> vertex_of;
+  std::vector<Cell> cell_of_face;
+  Cell current = 0;
+  bool coplanar = false;
+  bool contact = false;
+
+  [[nodiscard]] int side(const Blend_mesh& mesh) const { return &mesh == operand[0] ? 0 : 1; }
+};
+
+struct Origin_visitor : PMP::Corefinement::Default_visitor<Blend_mesh> {
+  std::shared_ptr<Record> record;
+
+  void before_subface_creations(Face old, Blend_mesh& mesh) {
+    record->current = record->origin[record->side(mesh)][old.idx()];
+  }
+  void after_subface_created(Face created, Blend_mesh& mesh) {
+    auto& origin = record->origin[record->side(mesh)];
+    if (origin.size() <= created.idx()) origin.resize(created.idx() + 1);
+    origin[created.idx()] = record->current;
+  }
+  void after_face_copy(Face old, const Blend_mesh& mesh, Face copy, Blend_mesh&) {
+    const int side = record->side(mesh);
+    auto& cells = record->cell_of_face;
+    if (cells.size() <= copy.idx()) cells.resize(copy.idx() + 1);
+    cells[copy.idx()] = record->origin[side][old.idx()] + static_cast<Cell>(side == 1 ? record->faces[0] : 0);
+  }
+  void after_vertex_copy(Vertex old, const Blend_mesh& mesh, Vertex copy, Blend_mesh&) {
+    const int side = record->side(mesh);
+    if (old.idx() < record->vertices[side]) record->vertex_of[side][old.idx()] = copy;
+  }
+  void intersection_point_detected(std::size_t, int, Halfedge, Halfedge, const Blend_mesh&, const Blend_mesh&, bool,
+                                   bool) {
+    record->contact = true;
+  }
+  void start_handling_intersection_of_coplanar_faces(std::size_t count) const {
+    if (count > 0) record->coplanar = true;
+  }
+};
+
+bool run(Blend_mesh& a, Blend_mesh& b, Boolean_operation operation, Blend_mesh& out, const Origin_visitor& visitor,
+         Blend_mesh::Property_map<Edge, bool> crease) {
+  const auto in = CGAL::parameters::visitor(visitor).throw_on_self_intersection(true);
+  const auto none = CGAL::parameters::default_values();
+  const auto marked = CGAL::parameters::edge_is_constrained_map(crease);
+  switch (operation) {
+    case Boolean_operation::union_: return PMP::corefine_and_compute_union(a, b, out, in, none, marked);
+    case Boolean_operation::intersection: return PMP::corefine_and_compute_intersection(a, b, out, in, none, marked);
+    case Boolean_operation::difference: return PMP::corefine_and_compute_difference(a, b, out, in, none, marked);
+  }
+  return false;
+}
+
+bool flat(Edge e, const Blend_mesh& mesh) {
+  const Halfedge h = mesh.halfedge(e), o = mesh.opposite(h);
+  return CGAL::coplanar(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))),
+                        mesh.point(mesh.target(mesh.next(o))));
+}
+
+Diagnosis refusal(Status status) {
+  Diagnosis diagnosis;
+  diagnosis.status = status;
+  return diagnosis;
+}
+
+}  // namespace
+
+Boolean_result compute_boolean(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation) {
+  Boolean_result result;
+  std::array<Blend_mesh, 2> copy{a, b};  // corefinement refines its operands
+  auto record = std::make_shared<Record>();
+  for (int k = 0; k < 2; ++k) {
+    record->operand[k] = &copy[k];
+    record->faces[k] = copy[k].number_of_faces();
+    record->vertices[k] = copy[k].number_of_vertices();
+    for (const Face f : copy[k].faces()) record->origin[k].push_back(f.idx());
+    record->vertex_of[k].resize(record->vertices[k]);
+  }
+  Origin_visitor visitor;
+  visitor.record = record;
+  auto crease = result.mesh.add_property_map<Edge, bool>("e:blending_curve", false).first;
+  bool done = false;
+  try {
+    done = run(copy[0], copy[1], operation, result.mesh, visitor, crease);
+  } catch (const std::exception&) {
+    result.diagnosis = refusal(record->coplanar ? Status::operands_coplanar : Status::boolean_failed);
+    return result;
+  }
+  result.coplanar = record->coplanar;
+  result.contact = record->contact;
+  if (!done) {  // CGAL's way to say that the result would not be manifold
+    result.diagnosis = refusal(record->coplanar ? Status::operands_coplanar : Status::operands_touch);
+    return result;
+  }
+  record->cell_of_face.resize(result.mesh.number_of_faces());
+  result.cells = Cell_map(record->faces, std::move(record->cell_of_face), std::move(record->vertex_of));
+  for (const Edge e : result.mesh.edges())
+    if (crease[e] && !flat(e, result.mesh)) result.curves.push_back(e);
+  result.mesh.remove_property_map(crease);
+  return result;
+}
+
+}  // namespace cgal_blend

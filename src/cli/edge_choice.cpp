@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edge_choice.h"
+
+#include "failure.h"
+
+#include <cgal_blend/creases.h>
+#include <cgal_blend/polyline.h>
+#include <cgal_blend/selection.h>
+
+namespace cgal_blend::cli {
+
+namespace {
+
+std::vector<Edge> creases(const Blend_mesh& mesh, double angle) {
+  std::vector<Edge> found;
+  for (Edge e : mesh.edges())
+    if (is_crease(e, mesh, angle)) found.push_back(e);
+  return found;
+}
+
+Vertex vertex_with_index(const Blend_mesh& mesh, std::size_t index, const std::string& where) {
+  if (index >= mesh.number_of_vertices())
+    throw Failure(Diagnosis{Status::no_such_edge, "there is no vertex " + std::to_string(index), {}, {}}, where);
+  return Vertex(static_cast<Blend_mesh::size_type>(index));
+}
+
+std::vector<Edge> edges_along(const Blend_mesh& mesh, const std::vector<std::size_t>& indices, const std::string& where) {
+  std::vector<Vertex> chain;
+  for (std::size_t index : indices) chain.push_back(vertex_with_index(mesh, index, where));
+  const Edge_chain<Blend_mesh> edges = edges_of_polyline(mesh, chain);
+  if (!edges.ok()) throw Failure(edges.diagnosis, where);
+  return edges.edges;
+}
+
+std::vector<Edge> selected_edges(const Blend_mesh& mesh, const std::string& path) {
+  std::vector<Edge> found;
+  for (const auto& [from, to] : read_selection(path).edges) {
+    const std::string where = quoted(path) + ", edge " + std::to_string(from) + " " + std::to_string(to);
+    found.push_back(edges_along(mesh, {from, to}, where).front());
+  }
+  return found;
+}
+
+std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const std::vector<Blend_request>& requests,
+                                        const std::string& path) {
+  std::vector<Edge_blend> blends;
+  std::optional<Vertex_locator<Blend_mesh>> locate;
+  for (const Blend_request& request : requests) {
+    const std::string where = quoted(path) + ", blend " + std::to_string(blends.size() + 1);
+    if (request.points.empty()) {
+      blends.push_back({edges_along(mesh, request.vertices, where), request.radius});
+      continue;
+    }
+    if (!locate) locate.emplace(mesh);
+    const Edge_chain<Blend_mesh> edges = edges_of_polyline(mesh, request.points, *locate);
+    if (!edges.ok()) throw Failure(edges.diagnosis, where);
+    blends.push_back({edges.edges, request.radius});
+  }
+  return blends;
+}
+
+}  // namespace
+
+void Edge_choice::require_one() const {
+  const int given = int(sharp_angle.has_value()) + int(!edges_file.empty()) + int(!blends_file.empty());
+  if (given != 1) throw usage_failure("name the edges to blend by exactly one of --sharp-angle, --edges and --blends");
+}
+
+std::vector<Edge_blend> chosen_edges(const Edge_choice& choice, const std::vector<Blend_request>& requests,
+                                     const Blend_mesh& mesh) {
+  if (!choice.blends_file.empty()) {
+    if (requests.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}}, quoted(choice.blends_file));
+    return requested_edges(mesh, requests, choice.blends_file);
+  }
+  const std::vector<Edge> edges =
+      choice.sharp_angle ? creases(mesh, *choice.sharp_angle) : selected_edges(mesh, choice.edges_file);
+  if (edges.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}});
+  return {{edges, 0}};
+}
+
+}  // namespace cgal_blend::cli

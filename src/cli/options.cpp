@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options.h"
+
+#include "values.h"
+
+namespace cgal_blend::cli {
+
+Fillet_options Ball_options::checked() const {
+  Fillet_options options = fillet;
+  require_arc_profile(profile, "--profile");
+  require_stitch_mode(mode);
+  if (radius) options.radius = parse_radius(*radius);
+  return options;
+}
+
+void add_report_options(CLI::App& command, Output_options& options) {
+  command.add_option("--report", options.report, "Write a report as JSON; '-' is standard output")->type_name("FILE");
+  command.add_flag("--quiet", options.quiet, "No summary and no progress line");
+}
+
+void add_mesh_output(CLI::App& command, Output_options& options) {
+  command.add_option("-o,--output", options.mesh, "Mesh to write: .off, .obj, .ply or .stl")->required()->type_name("OUT");
+  add_report_options(command, options);
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,
+                        const std::string& help) {
+  const auto read = [=, &value](const std::string& text) {
+    const auto number = parse_number(text);
+    if (!number) throw CLI::ValidationError(flag, "'" + text + "' is not a number");
+    const bool inside = open ? *number > low && *number < high : *number >= low && *number <= high;
+    if (!inside) {
+      const auto short_text = [](double x) { return CLI::detail::to_string(x); };
+      throw CLI::ValidationError(flag, text + " is not between " + short_text(low) + " and " + short_text(high));
+    }
+    value = *number;
+  };
+  return command.add_option_function<std::string>(flag, read, help);
+}
+
+void add_ball_options(CLI::App& command, Ball_options& options) {
+  const auto given = [&options](const std::string& text) { options.radius = text; };
+  command.add_option_function<std::string>("--radius", given, "Radius of the ball, length units of the mesh")->type_name("R");
+  command.add_option("--profile", options.profile, "Cross-section of the blend: arc")->capture_default_str()->type_name("NAME");
+  command.add_option("--mode", options.mode, "How the blend is joined to the mesh: stitch")->capture_default_str()->type_name("NAME");
+  add_number(command, "--chord-tolerance", options.fillet.chord_tolerance, 1e-6, 0.3, false,
+             "Largest distance between arc and facets, as a fraction of the radius [0.002]")->type_name("F");
+  add_number(command, "--smooth-angle", options.fillet.smooth_angle, 0, 180, true,
+             "Faces whose normals differ by less belong to one smooth surface [40]")->type_name("DEG");
+  command.add_flag("--keep-going", options.fillet.keep_going, "Leave curves sharp that cannot be blended; blend the others");
+}
+
+}  // namespace cgal_blend::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_CLI_OPTIONS_H
+#define CGAL_BLEND_CLI_OPTIONS_H
+
+#include <cgal_blend/fillet.h>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace cgal_blend::cli {
+
+/// Where results go; the same for every subcommand.
+struct Output_options {
+  std::string mesh;    ///< empty: the subcommand writes no mesh
+  std::string report;  ///< empty: none; "-": standard output
+  bool quiet = false;
+
+  [[nodiscard]] bool report_on_stdout() const { return report == "-"; }
+  /// True if a summary for people belongs on standard output.
+  [[nodiscard]] bool summary() const { return !quiet && !report_on_stdout(); }
+};
+
+/// The ball and what it leaves, as typed; one reading for every subcommand that blends.
+struct Ball_options {
+  std::optional<std::string> radius;
+  std::string profile = "arc";
+  std::string mode = "stitch";
+  Fillet_options fillet;
+
+  /// Returns the options of the engine, radius 0 if none is given; throws `Failure` for what cannot be accepted.
+  [[nodiscard]] Fillet_options checked() const;
+};
+
+void add_report_options(CLI::App& command, Output_options& options);
+void add_mesh_output(CLI::App& command, Output_options& options);
+void add_ball_options(CLI::App& command, Ball_options& options);
+
+/// A numeric option that has to lie between two bounds; the message names them.
+CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,
+                        const std::string& help);
+
+}  // namespace cgal_blend::cli
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "paths.h"
+
+#include "failure.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace cgal_blend::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_mesh_extension(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::vector<std::string> known{".off", ".obj", ".ply", ".stl"};
+  if (std::find(known.begin(), known.end(), extension) == known.end())
+    throw usage_failure("cannot write " + quoted(path) + ": unknown mesh format; the name must end in .off, .obj, .ply or .stl");
+}
+
+// Not even the superuser, who may write everything, replaces a file that was protected on purpose.
+bool is_write_protected(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const fs::perms any_write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  return fs::exists(status) && ((status.permissions() & any_write) == fs::perms::none || ::access(path.c_str(), W_OK) != 0);
+}
+
+void require_writable(const std::string& path) {
+  std::error_code ignored;
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  const std::string prefix = "cannot write " + quoted(path) + ": ";
+  if (!fs::is_directory(folder, ignored)) throw usage_failure(prefix + "the folder does not exist");
+  if (fs::is_directory(path, ignored)) throw usage_failure(prefix + "it is a folder");
+  if (::access(folder.c_str(), W_OK) != 0) throw usage_failure(prefix + "no permission to write in the folder");
+  if (is_write_protected(path)) throw usage_failure(prefix + "it is write-protected");
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+}  // namespace
+
+void check_report_path(const Output_options& output, const std::vector<std::string>& inputs) {
+  if (output.report.empty() || output.report_on_stdout()) return;
+  require_writable(output.report);
+  std::vector<std::string> meshes = inputs;
+  meshes.push_back(output.mesh);
+  for (const std::string& mesh : meshes)
+    if (!mesh.empty() && same_file(output.report, mesh)) throw usage_failure("--report would replace the mesh " + quoted(mesh));
+}
+
+void check_mesh_path(const Output_options& output) {
+  if (output.mesh.empty()) return;
+  require_mesh_extension(output.mesh);
+  require_writable(output.mesh);
+}
+
+}  // namespace cgal_blend::cli

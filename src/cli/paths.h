@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_CLI_PATHS_H
+#define CGAL_BLEND_CLI_PATHS_H
+
+#include "options.h"
+
+#include <string>
+#include <vector>
+
+namespace cgal_blend::cli {
+
+/// Throws `Failure` (usage) if the report could not be written where the options say, or would replace a mesh.
+void check_report_path(const Output_options& output, const std::vector<std::string>& inputs);
+
+/// Throws `Failure` (usage) if the mesh could not be written where the options say. Nothing is created.
+void check_mesh_path(const Output_options& output);
+
+}  // namespace cgal_blend::cli
+
+#endif

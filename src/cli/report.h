@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_CLI_REPORT_H
+#define CGAL_BLEND_CLI_REPORT_H
+
+#include <cgal_blend/blend_mesh.h>
+#include <cgal_blend/fillet.h>
+#include <cgal_blend/validate.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <string>
+
+namespace cgal_blend::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// What `--report` writes; filled in as a command goes on, complete also when it ends early.
+/// Numbers that are not finite come out as null.
+struct Report {
+  std::string command;
+  std::string status = name(Status::ok);
+  std::string message = describe(Status::ok);
+  Json input, input_b, output;  ///< null until known
+  Json blends = Json::array();
+  double read = 0, check_input = 0, write = 0;  ///< milliseconds
+  Stage_times stages;
+
+  [[nodiscard]] Json json() const;
+};
+
+[[nodiscard]] Json input_json(const std::string& file, const Blend_mesh& mesh);
+[[nodiscard]] Json blends_json(const std::vector<Blend_report>& blends);
+
+/// The `output` entry for a mesh that the engine has validated.
+[[nodiscard]] Json output_json(const std::string& file, const Blend_mesh& mesh, const Fillet_outcome& outcome);
+
+/// The `output` entry for a mesh that has been checked.
+[[nodiscard]] Json validity_json(const std::string& file, const Validity_report& validity);
+
+/// Writes the report to a file or, for "-", to standard output; returns false if that fails.
+[[nodiscard]] bool write_report(const Report& report, const std::string& path);
+
+/// Adds the time of its own life to a number of milliseconds.
+class Timer {
+ public:
+  explicit Timer(double& milliseconds) : milliseconds_(milliseconds) {}
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+  ~Timer() { milliseconds_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& milliseconds_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace cgal_blend::cli
+
+#endif

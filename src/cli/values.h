@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_CLI_VALUES_H
+#define CGAL_BLEND_CLI_VALUES_H
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cgal_blend::cli {
+
+/// Returns the finite number that `text` as a whole spells, whatever the locale; nothing otherwise.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// Returns the parts of `text` between any of the `separators`; empty parts are kept if `keep_empty`.
+[[nodiscard]] std::vector<std::string> split(const std::string& text, const char* separators, bool keep_empty);
+
+/// Returns the radius that `text` spells. Throws `Failure`: usage if it is no number > 0, unsupported if it is a list of
+/// fraction:radius pairs.
+[[nodiscard]] double parse_radius(const std::string& text);
+
+/// Throws `Failure` unless the radius is a finite number > 0; `subject` begins the message.
+void require_radius(double radius, const std::string& subject);
+
+/// Throws `Failure` unless the profile is the circular arc: usage for an unknown word, unsupported for the others.
+void require_arc_profile(const std::string& profile, const std::string& subject);
+
+/// Throws `Failure` unless the mode is stitching.
+void require_stitch_mode(const std::string& mode);
+
+}  // namespace cgal_blend::cli
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cgal_blend/fillet.h>
+
+#include "boolean.h"
+#include "fillet_engine.h"
+#include "stopwatch.h"
+
+#include <cgal_blend/validate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace cgal_blend {
+
+namespace {
+
+Diagnosis check_options(const Fillet_options& options) {
+  const auto wrong = [](const char* what) {
+    return Diagnosis{Status::invalid_parameter, what, std::nullopt, std::nullopt};
+  };
+  if (!(options.chord_tolerance >= 1e-6 && options.chord_tolerance <= 0.3))
+    return wrong("chord tolerance must lie between 1e-6 and 0.3");
+  if (!(options.smooth_angle > 0 && options.smooth_angle < 180))
+    return wrong("smooth angle must lie between 0 and 180 degrees");
+  if (!(options.radius >= 0) || !std::isfinite(options.radius)) return wrong("radius must be a positive number");
+  return {};
+}
+
+bool identical(const Blend_mesh& a, const Blend_mesh& b) {
+  if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces()) return false;
+  std::vector<Point_3> p, q;
+  for (const Vertex v : a.vertices()) p.push_back(a.point(v));
+  for (const Vertex v : b.vertices()) q.push_back(b.point(v));
+  std::sort(p.begin(), p.end());
+  std::sort(q.begin(), q.end());
+  return p == q;
+}
+
+Fillet_outcome refused(Status status) {
+  Fillet_outcome outcome;
+  outcome.diagnosis.status = status;
+  return outcome;
+}
+
+/// Why the sharp result is not valid, in terms of the operands.
+Status sharp_failure(const Boolean_result& sharp) {
+  if (sharp.coplanar) return Status::operands_coplanar;
+  return sharp.curves.empty() ? Status::operands_touch : Status::boolean_failed;
+}
+
+Fillet_outcome sharp_boolean(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out) {
+  Fillet_outcome outcome = finish_body(body, sharp.mesh, out);
+  if (!outcome.diagnosis.ok()) {
+    outcome.diagnosis.status = sharp_failure(sharp);
+    out.clear();
+  }
+  return outcome;
+}
+
+}  // namespace
+
+Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, Blend_mesh& out,
+                            const Fillet_options& options) {
+  Fillet_outcome outcome;
+  outcome.diagnosis = check_options(options);
+  if (!outcome.diagnosis.ok()) return outcome;
+  Fillet_body body;
+  body.mesh = body.base[0] = body.base[1] = &mesh;
+  return fillet_body(body, blends, out, options);
+}
+
+Fillet_outcome corefine_and_fillet(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation,
+                                   Blend_mesh& out, const Fillet_options& options) {
+  Fillet_outcome outcome;
+  outcome.diagnosis = check_options(options);
+  if (!outcome.diagnosis.ok()) return outcome;
+  const bool blend = options.radius > 0;
+  if (blend && identical(a, b)) return refused(Status::operands_identical);
+  Stopwatch watch;
+  Boolean_result sharp = compute_boolean(a, b, operation);
+  const double boolean_time = watch.milliseconds();
+  if (!sharp.diagnosis.ok()) {
+    outcome.diagnosis = sharp.diagnosis;
+  } else if (sharp.mesh.is_empty()) {
+    outcome = refused(Status::empty_result);
+  } else if (blend && sharp.curves.empty()) {
+    outcome = refused(sharp.coplanar  ? Status::operands_coplanar
+                      : sharp.contact ? Status::operands_touch
+                                      : Status::operands_disjoint);
+  } else {
+    Fillet_body body;
+    body.mesh = &sharp.mesh;
+    body.cells = std::move(sharp.cells);
+    body.base = {&a, &b};
+    body.reversed = {false, operation == Boolean_operation::difference};
+    body.own_surface = false;
+    if (blend)
+      outcome = fillet_body(body, {{sharp.curves, options.radius}}, out, options);
+    else
+      outcome = sharp_boolean(body, sharp, out);
+  }
+  outcome.times.boolean = boolean_time;
+  return outcome;
+}
+
+}  // namespace cgal_blend

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fillet_engine.h"
+
+#include "blend_curve.h"
+#include "blend_strip.h"
+#include "rolling_ball.h"
+#include "stitching.h"
+#include "stopwatch.h"
+#include "trim.h"
+
+#include <cgal_blend/creases.h>
+#include <cgal_blend/curve_network.h>
+#include <cgal_blend/validate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <unordered_set>
+#include <utility>
+
+namespace cgal_blend {
+
+namespace {
+
+/// Ways to see a rough surface as smooth, tried in turn: the smooth angle at least, and passes over the normals. Whatever
+/// the normals are, the ball touches exactly; what suffers is tangency to the facets, and that is reported.
+struct Smoothing {
+  double smooth_angle;
+  int passes;
+};
+constexpr std::array<Smoothing, 4> smoothings{{{0, 0}, {0, 3}, {60, 6}, {75, 12}}};
+
+// A rim keeps this far from vertices and edges that it does not run through.
+constexpr double snap_of_radius = 0.01;
+constexpr double snap_of_facet = 0.1;
+
+Diagnosis refusal(Status status, const Vec& at) {
+  Diagnosis diagnosis;
+  diagnosis.status = status;
+  diagnosis.point = to_point(at);
+  return diagnosis;
+}
+
+/// One branch on its way to becoming a blend.
+struct Job {
+  std::vector<Halfedge> halfedges;
+  Blend_report report;
+  Blend_curve curve;
+  std::array<int, 2> operand{};
+  std::size_t level = 0;
+  bool rolled = false;
+  std::optional<Diagnosis> first_failure;
+  std::vector<Ball_position> positions;
+  std::array<Rim, 2> rims;
+};
+
+struct Assembly {
+  Diagnosis diagnosis;
+  std::size_t blame = 0;  ///< job that the diagnosis is about
+  Fillet_outcome outcome;
+  Blend_mesh mesh;
+};
+
+class Engine {
+ public:
+  Engine(const Fillet_body& body, const Fillet_options& options) : body_(body), options_(options) {}
+
+  Fillet_outcome run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
+    Stopwatch watch;
+    Fillet_outcome outcome;
+    outcome.diagnosis = prepare(blends);
+    double validating = 0;
+    while (outcome.diagnosis.ok()) {
+      outcome.diagnosis = roll_all();
+      if (!outcome.diagnosis.ok()) break;
+      Assembly assembly = assemble(validating);
+      if (assembly.diagnosis.ok()) {
+        outcome = std::move(assembly.outcome);
+        out = std::move(assembly.mesh);
+        break;
+      }
+      outcome.diagnosis = escalate(assembly.blame, assembly.diagnosis);
+    }
+    for (const Job& job : jobs_) outcome.blends.push_back(job.report);
+    outcome.times.validate = validating;
+    outcome.times.blend = watch.milliseconds() - validating;
+    return outcome;
+  }
+
+ private:
+  // Preparation: from edges to curves with a base face on either side.
+
+  Diagnosis prepare(const std::vector<Edge_blend>& blends) {
+    for (const Edge_blend& blend : blends) creases_.insert(blend.edges.begin(), blend.edges.end());
+    for (const Edge_blend& blend : blends) {
+      const double radius = blend.radius != 0 ? blend.radius : options_.radius;
+      if (!(radius > 0) || !std::isfinite(radius)) return {Status::invalid_parameter, "radius", {}, {}};
+      const Curve_network<Blend_mesh> network = make_curve_network(*body_.mesh, blend.edges);
+      for (const Branch<Blend_mesh>& branch : network.branches) {
+        Job job;
+        job.halfedges = branch.halfedges;
+        job.report.edges = branch.halfedges.size();
+        job.report.radius = radius;
+        job.report.closed = branch.closed();
+        job.report.diagnosis = branch.closed() ? make_curve(job) : node_refusal(network, branch);
+        jobs_.push_back(std::move(job));
+      }
+    }
+    if (jobs_.empty()) return {Status::no_edges_selected, "", {}, {}};
+    return first_refusal();
+  }
+
+  Diagnosis node_refusal(const Curve_network<Blend_mesh>& network, const Branch<Blend_mesh>& branch) const {
+    for (const std::size_t n : {branch.first_node, branch.last_node})
+      if (!network.nodes[n].is_end())
+        return refusal(Status::corner, to_vec(body_.mesh->point(network.nodes[n].vertex)));
+    return refusal(Status::open_branch, to_vec(body_.mesh->point(network.nodes[branch.first_node].vertex)));
+  }
+
+  Diagnosis make_curve(Job& job) const {
+    const Blend_mesh& mesh = *body_.mesh;
+    std::size_t convex = 0;
+    for (const Halfedge h : job.halfedges) {
+      const Face left = mesh.face(h), right = mesh.face(mesh.opposite(h));
+      const std::array<int, 2> operand{body_.cells.operand(left), body_.cells.operand(right)};
+      if (job.curve.points.empty()) job.operand = operand;
+      const Vec at = to_vec(mesh.point(mesh.source(h)));
+      if (operand != job.operand) return refusal(Status::corner, at);
+      const CGAL::Sign bend = edge_convexity(mesh.edge(h), mesh);
+      if (bend == CGAL::ZERO) return refusal(Status::edge_is_smooth, at);
+      convex += bend == CGAL::POSITIVE ? 1 : 0;
+      if (convex != 0 && convex != job.curve.points.size() + 1) return refusal(Status::mixed_convexity, at);
+      job.curve.points.push_back(at);
+      job.curve.faces.push_back({body_.cells.base_face(left), body_.cells.base_face(right)});
+    }
+    job.curve.convex = job.report.convex = convex != 0;
+    return {};
+  }
+
+  /// Where two consecutive edges of the curve border on base faces that meet in a sharp edge, three surfaces meet.
+  [[nodiscard]] std::optional<Vec> find_corner(const Job& job) {
+    const std::size_t n = job.curve.points.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (int side = 0; side < 2; ++side) {
+        const Base_surface& surface = base_surface(job, side);
+        const Face before = job.curve.faces[i][side], after = job.curve.faces[job.curve.next(i)][side];
+        if (before == after) continue;
+        const Blend_mesh& base = surface.mesh();
+        for (const Halfedge h : base.halfedges_around_face(base.halfedge(before)))
+          if (base.face(base.opposite(h)) == after && !surface.crossable(h)) return job.curve.points[job.curve.next(i)];
+      }
+    return std::nullopt;
+  }
+
+  const Base_surface& base_surface(const Job& job, int side) {
+    const int operand = job.operand[side];
+    std::unique_ptr<Base_surface>& surface = surfaces_[{job.level, operand}];
+    if (!surface) {
+      const Smoothing& how = smoothings[job.level];
+      surface = std::make_unique<Base_surface>(
+          *body_.base[operand],
+          Base_surface::Options{std::max(options_.smooth_angle, how.smooth_angle), how.passes, body_.reversed[operand]},
+          body_.own_surface ? &creases_ : nullptr);
+    }
+    return *surface;
+  }
+
+  // Rolling, and what to do about failures.
+
+  Diagnosis roll_all() {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      Job& job = jobs_[i];
+      if (job.rolled || !job.report.diagnosis.ok()) continue;
+      if (options_.progress && !options_.progress(static_cast<double>(i) / static_cast<double>(jobs_.size())))
+        return {Status::cancelled, "", {}, {}};
+      for (; job.level < smoothings.size(); ++job.level) {
+        const Diagnosis diagnosis = roll(job, i);
+        job.rolled = diagnosis.ok();
+        if (job.rolled) break;
+        if (!job.first_failure) job.first_failure = diagnosis;
+      }
+      if (!job.rolled) job.report.diagnosis = *job.first_failure;
+    }
+    return first_refusal();
+  }
+
+  Diagnosis roll(Job& job, std::size_t index) {
+    if (const auto corner = find_corner(job)) return refusal(Status::corner, *corner);
+    const std::array<const Base_surface*, 2> surfaces{&base_surface(job, 0), &base_surface(job, 1)};
+    const double radius = job.report.radius;
+    const Sampling steps = sampling(options_.chord_tolerance);
+    Ball_path path = roll_ball(surfaces, job.curve, radius, steps);
+    if (!path.diagnosis.ok()) return path.diagnosis;
+    const double snap = radius * std::min(snap_of_radius, snap_of_facet * steps.finest);
+    for (int side = 0; side < 2; ++side) {
+      std::vector<Surface_point> feet;
+      for (const Ball_position& p : path.positions) feet.push_back(p.foot[side]);
+      Vec stuck;
+      auto rim = closed_path(*surfaces[side], feet, snap, stuck);
+      if (!rim) return refusal(Status::no_rolling_ball, stuck);
+      job.rims[side] = {surfaces[side], job.operand[side], std::move(*rim), side == 0, index, {}};
+    }
+    job.positions = std::move(path.positions);
+    return {};
+  }
+
+  /// Gives a blend that did not fit another try on a smoother surface, or refuses it.
+  Diagnosis escalate(std::size_t blame, const Diagnosis& diagnosis) {
+    Job& job = jobs_[blame];
+    if (!job.first_failure) job.first_failure = diagnosis;
+    job.rolled = false;
+    if (++job.level == smoothings.size()) job.report.diagnosis = *job.first_failure;
+    return first_refusal();
+  }
+
+  /// `ok` as long as something can be written: all blends, or some of them if that is wanted.
+  Diagnosis first_refusal() const {
+    const Job* refused = nullptr;
+    bool some = false;
+    for (const Job& job : jobs_) {
+      if (job.report.diagnosis.ok())
+        some = true;
+      else if (!refused)
+        refused = &job;
+    }
+    if (!refused || (options_.keep_going && some)) return {};
+    return refused->report.diagnosis;
+  }
+
+  // Assembly: cut, sew, put in order, check.
+
+  Assembly assemble(double& validating) {
+    Assembly result;
+    Blend_mesh work = *body_.mesh;
+    std::unordered_set<Edge> curves;
+    std::vector<Rim> rims;
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      if (!jobs_[i].rolled) continue;
+      for (const Halfedge h : jobs_[i].halfedges) curves.insert(work.edge(h));
+      for (Rim rim : jobs_[i].rims) {
+        result.diagnosis = add_rim_vertices(work, body_.cells, rim);
+        result.blame = i;
+        if (!result.diagnosis.ok()) return result;
+        rims.push_back(std::move(rim));
+      }
+    }
+    Trimming trimming = trim(work, body_.cells, rims, curves);
+    if (!trimming.diagnosis.ok()) {
+      result.diagnosis = trimming.diagnosis;
+      result.blame = trimming.blend;
+      return result;
+    }
+    std::vector<Triangle> triangles = std::move(trimming.remnants);
+    const std::size_t remnants = triangles.size();
+    for (std::size_t k = 0; k < rims.size(); k += 2) {
+      const Job& job = jobs_[rims[k].blend];
+      const std::vector<Triangle> strip =
+          tessellate_strip(work, job.positions, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
+      triangles.insert(triangles.end(), strip.begin(), strip.end());
+    }
+    const Replacement replacement = replace_faces(work, trimming.removed, triangles);
+    if (replacement.conflict) {
+      const Vec at = to_vec(work.point(*replacement.conflict));
+      result.diagnosis = refusal(Status::blends_overlap, at);
+      result.blame = nearest_job(at);
+      return result;
+    }
+    finish(work, replacement.faces, remnants, rims, result, validating);
+    return result;
+  }
+
+  void finish(const Blend_mesh& work, const std::vector<Face>& added, std::size_t remnants, const std::vector<Rim>& rims,
+              Assembly& result, double& validating) {
+    result.outcome = finish_body(body_, work, result.mesh);
+    validating += result.outcome.times.validate;
+    // New faces come last, in the order in which they were added.
+    const std::size_t first = result.mesh.number_of_faces() - added.size();
+    for (std::size_t k = remnants; k < added.size(); ++k)
+      result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(first + k)));
+    result.diagnosis = result.outcome.diagnosis;
+    if (!result.diagnosis.ok()) {
+      const Vec at = result.diagnosis.point ? to_vec(*result.diagnosis.point) : jobs_.front().curve.points.front();
+      result.blame = nearest_job(at);
+      if (result.diagnosis.status == Status::input_self_intersecting)
+        result.diagnosis = refusal(Status::blend_collides, at);
+      else
+        result.diagnosis.status = Status::result_invalid;
+      return;
+    }
+    for (std::size_t k = 0; k < rims.size(); k += 2) {
+      Job& job = jobs_[rims[k].blend];
+      const Strip_quality quality = measure_rims(job.positions, {&rims[k], &rims[k + 1]}, job.report.radius);
+      job.report.radius_error = quality.radius_error;
+      job.report.tangency_deg = quality.tangency_deg;
+    }
+  }
+
+  [[nodiscard]] std::size_t nearest_job(const Vec& at) const {
+    std::size_t nearest = 0;
+    double best = -1;
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      if (!jobs_[i].rolled) continue;
+      for (const Ball_position& p : jobs_[i].positions) {
+        const double distance = (p.center - at).squaredNorm() / (jobs_[i].report.radius * jobs_[i].report.radius);
+        if (best >= 0 && distance >= best) continue;
+        best = distance;
+        nearest = i;
+      }
+    }
+    return nearest;
+  }
+
+  const Fillet_body& body_;
+  const Fillet_options& options_;
+  std::unordered_set<Edge> creases_;
+  std::map<std::pair<std::size_t, int>, std::unique_ptr<Base_surface>> surfaces_;
+  std::vector<Job> jobs_;
+};
+
+/// Elements of a body in the order they are handed out: those of the bases first, in their order.
+struct Order {
+  std::vector<Vertex> vertices;
+  std::vector<Face> faces;
+  std::size_t kept_faces = 0;
+};
+
+Order output_order(const Fillet_body& body, const Blend_mesh& mesh) {
+  Order order;
+  std::vector<bool> listed(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), false);
+  const auto list = [&](Vertex v) {
+    if (v == Blend_mesh::null_vertex() || mesh.is_removed(v) || listed[v.idx()]) return;
+    listed[v.idx()] = true;
+    order.vertices.push_back(v);
+  };
+  for (int operand = 0; operand < 2; ++operand)
+    if (body.base[operand])
+      for (const Vertex v : body.base[operand]->vertices()) list(body.cells.vertex(operand, v));
+  for (const Vertex v : mesh.vertices()) list(v);
+  const std::size_t old_faces = body.mesh->number_of_faces();
+  std::vector<Face> changed;
+  std::vector<std::pair<Cell_map::Cell, Face>> kept;
+  for (const Face f : mesh.faces()) {
+    if (f.idx() < old_faces && body.cells.whole(f, mesh))
+      kept.push_back({body.cells.cell(f), f});
+    else
+      changed.push_back(f);
+  }
+  if (!std::is_sorted(kept.begin(), kept.end())) std::sort(kept.begin(), kept.end());
+  for (const auto& [cell, face] : kept) order.faces.push_back(face);
+  order.kept_faces = order.faces.size();
+  order.faces.insert(order.faces.end(), changed.begin(), changed.end());
+  return order;
+}
+
+}  // namespace
+
+Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blend_mesh& out) {
+  Fillet_outcome outcome;
+  const Order order = output_order(body, mesh);
+  outcome.kept_faces = order.kept_faces;
+  Reordered result = reorder(mesh, order.vertices, order.faces);
+  for (std::size_t i = order.kept_faces; i < order.faces.size(); ++i)
+    outcome.changed_faces.push_back(Face(static_cast<std::uint32_t>(i)));
+  Stopwatch watch;
+  const Validity_report report = validate_changes(result.mesh, outcome.changed_faces);
+  outcome.times.validate = watch.milliseconds();
+  outcome.diagnosis = report.diagnosis;
+  outcome.volume = report.volume;
+  outcome.area = report.area;
+  out = std::move(result.mesh);
+  return outcome;
+}
+
+Fillet_outcome fillet_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
+                           const Fillet_options& options) {
+  return Engine(body, options).run(blends, out);
+}
+
+}  // namespace cgal_blend

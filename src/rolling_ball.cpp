@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rolling_ball.h"
+
+#include "ball_solver.h"
+#include "spine_guess.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr double widest_gap = 3;      // of the coarsest step: farther apart, positions are not joined
+constexpr int deepest_split = 12;
+constexpr std::size_t fewest_positions = 6;
+
+/// Contacts must go forward with the centre, or the profiles of neighbours would cross.
+bool goes_forward(const Ball_position& a, const Ball_position& b) {
+  const Vec step = b.center - a.center;
+  const double least = 0.02 * step.squaredNorm();
+  return step.squaredNorm() > 0 && (b.contact[0] - a.contact[0]).dot(step) > least &&
+         (b.contact[1] - a.contact[1]).dot(step) > least;
+}
+
+double step_length(const Ball_position& a, const Ball_position& b) {
+  return std::max({(b.center - a.center).norm(), (b.contact[0] - a.contact[0]).norm(),
+                   (b.contact[1] - a.contact[1]).norm()});
+}
+
+double off_chord(const Vec& a, const Vec& b, const Vec& p) {
+  const Vec chord = b - a;
+  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (p - a - t * chord).norm();
+}
+
+double chord_error(const Ball_position& a, const Ball_position& b, const Ball_position& middle) {
+  return std::max({off_chord(a.center, b.center, middle.center), off_chord(a.contact[0], b.contact[0], middle.contact[0]),
+                   off_chord(a.contact[1], b.contact[1], middle.contact[1])});
+}
+
+Diagnosis refusal(Status status, const Vec& at) {
+  Diagnosis diagnosis;
+  diagnosis.status = status;
+  diagnosis.point = to_point(at);
+  return diagnosis;
+}
+
+class Roller {
+ public:
+  Roller(const Ball_solver& solver, const Sampling& sampling) : solver_(solver), sampling_(sampling) {}
+
+  Ball_path roll(const std::vector<Ball_guess>& guesses, const Curve_locator& locator) {
+    Ball_path path;
+    std::vector<Ball_position> positions = solve_all(guesses);
+    drop_backward(positions);
+    if (positions.size() < fewest_positions) return failed(guesses.front().point);
+    if (const auto gap = find_gap(positions)) return failed(*gap);
+    std::vector<Vec> centers;
+    for (const Ball_position& p : positions) centers.push_back(p.center);
+    if (turns_along(centers, locator) != 1) return failed(positions.front().center);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      path.positions.push_back(positions[i]);
+      split(positions[i], positions[(i + 1) % positions.size()], 0, path.positions);
+    }
+    drop_backward(path.positions);
+    return path;
+  }
+
+ private:
+  std::vector<Ball_position> solve_all(const std::vector<Ball_guess>& guesses) {
+    std::vector<Ball_position> positions;
+    for (const Ball_guess& guess : guesses) {
+      Ball_solution solution = solver_.solve(guess);
+      if (!solution.position && !positions.empty()) {  // from the neighbour's feet instead
+        Ball_guess again = guess;
+        again.foot = positions.back().foot;
+        const Ball_solution second = solver_.solve(again);
+        if (second.position || !solution.blocked) solution = second;
+      }
+      const double limit = widest_gap * sampling_.coarsest * solver_.radius();
+      if (solution.position && (solution.position->center - guess.point).norm() > limit) solution.position.reset();
+      if (solution.position)
+        positions.push_back(*solution.position);
+      else if (solution.blocked && !blocked_)
+        blocked_ = solution.blocked;
+      else if (!failure_)
+        failure_ = guess.point;
+    }
+    return positions;
+  }
+
+  void drop_backward(std::vector<Ball_position>& positions) const {
+    for (bool changed = true; changed && positions.size() >= fewest_positions;) {
+      changed = false;
+      std::vector<Ball_position> kept{positions.front()};
+      for (std::size_t i = 1; i < positions.size(); ++i) {
+        if (goes_forward(kept.back(), positions[i]))
+          kept.push_back(positions[i]);
+        else
+          changed = true;
+      }
+      while (kept.size() >= fewest_positions && !goes_forward(kept.back(), kept.front())) {
+        kept.pop_back();
+        changed = true;
+      }
+      positions = std::move(kept);
+    }
+  }
+
+  std::optional<Vec> find_gap(const std::vector<Ball_position>& positions) const {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const Ball_position& a = positions[i];
+      const Ball_position& b = positions[(i + 1) % positions.size()];
+      const double spread = (positions.front().center - positions[positions.size() / 2].center).norm();
+      const double limit = std::max(widest_gap * sampling_.coarsest * solver_.radius(), 0.5 * spread);
+      if ((b.center - a.center).norm() > limit) return (a.center + b.center) / 2;
+    }
+    return std::nullopt;
+  }
+
+  void split(const Ball_position& a, const Ball_position& b, int depth, std::vector<Ball_position>& out) const {
+    const double radius = solver_.radius();
+    const double length = step_length(a, b);
+    if (depth >= deepest_split || length < 2 * sampling_.finest * radius) return;
+    const Ball_guess guess{(a.center + b.center) / 2, (b.center - a.center).normalized(), a.foot};
+    Ball_solution solution = solver_.solve(guess);
+    if (!solution.position) solution = solver_.solve({guess.point, guess.direction, b.foot});
+    if (!solution.position) return;
+    const Ball_position middle = *solution.position;
+    if (!goes_forward(a, middle) || !goes_forward(middle, b)) return;
+    if (step_length(a, middle) > 2 * length || step_length(middle, b) > 2 * length) return;
+    if (length <= sampling_.coarsest * radius && chord_error(a, b, middle) <= sampling_.tolerance * radius) return;
+    split(a, middle, depth + 1, out);
+    out.push_back(middle);
+    split(middle, b, depth + 1, out);
+  }
+
+  Ball_path failed(const Vec& at) const {
+    Ball_path path;
+    path.diagnosis = blocked_ ? refusal(Status::radius_exceeds_face, *blocked_)
+                              : refusal(Status::no_rolling_ball, failure_.value_or(at));
+    return path;
+  }
+
+  const Ball_solver& solver_;
+  const Sampling& sampling_;
+  std::optional<Vec> blocked_, failure_;
+};
+
+}  // namespace
+
+Sampling sampling(double chord_tolerance) {
+  const double facet = 2 * std::sin(std::acos(1 - chord_tolerance));
+  return {chord_tolerance, facet, std::min(6 * facet, std::max(1.0, 2 * facet))};
+}
+
+Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, double radius,
+                    const Sampling& sampling) {
+  const Ball_solver solver(surfaces, curve.convex ? -radius : radius);
+  const Curve_locator locator(curve.points);
+  const double step = sampling.coarsest * radius;
+  Roller roller(solver, sampling);
+  const std::vector<Ball_guess> guesses = guess_from_offsets(solver, curve, locator, step);
+  if (!guesses.empty()) {
+    Ball_path path = roller.roll(guesses, locator);
+    if (path.diagnosis.ok()) return path;
+  }
+  return roller.roll(guess_from_wedges(solver, curve, step), locator);
+}
+
+}  // namespace cgal_blend

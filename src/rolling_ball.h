@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_ROLLING_BALL_H
+#define CGAL_BLEND_SRC_ROLLING_BALL_H
+
+#include "base_surface.h"
+#include "blend_curve.h"
+
+#include <cgal_blend/status.h>
+
+#include <array>
+#include <vector>
+
+namespace cgal_blend {
+
+/// The ball in contact with both base surfaces.
+struct Ball_position {
+  Vec center;
+  std::array<Surface_point, 2> foot;
+  std::array<Vec, 2> contact;
+};
+
+/// How finely the ball's way is sampled; lengths as fractions of the radius.
+struct Sampling {
+  double tolerance;  ///< largest distance between polylines of centres, of contacts, and the true curves
+  double finest;     ///< shortest step
+  double coarsest;   ///< longest step
+};
+
+/// Returns the sampling that belongs to a chord tolerance: steps from one to several facets of the arc.
+[[nodiscard]] Sampling sampling(double chord_tolerance);
+
+/// Ball positions along a closed spine, in the direction of the blending curve, or why there are none.
+struct Ball_path {
+  Diagnosis diagnosis;
+  std::vector<Ball_position> positions;
+};
+
+/// Rolls a ball along a closed blending curve.
+///
+/// The intersection of the offset patches is the first guess, with exact topology; where offsets that cross themselves
+/// leave no closed loop along the curve, the planar wedge at each point of the curve is. Each position is then the
+/// solution of x_0(u) = x_1(v) on the exact offsets p + d n/|n|, in a plane across the guess.
+/// \param surfaces the base surfaces left and right of the curve; may be the same object
+Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, double radius,
+                    const Sampling& sampling);
+
+}  // namespace cgal_blend
+
+#endif

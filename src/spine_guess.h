@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_SPINE_GUESS_H
+#define CGAL_BLEND_SRC_SPINE_GUESS_H
+
+#include "ball_solver.h"
+#include "blend_curve.h"
+
+#include <vector>
+
+namespace cgal_blend {
+
+/// First guesses of ball positions along a closed curve, in the curve's direction, about `step` apart: samples of the
+/// closed intersection curve of the offset patches that goes round once with the blending curve. Empty if there is none.
+[[nodiscard]] std::vector<Ball_guess> guess_from_offsets(const Ball_solver& solver, const Blend_curve& curve,
+                                                         const Curve_locator& locator, double step);
+
+/// The same from the curve alone: at each sample the ball in the planar wedge of the two surfaces there.
+[[nodiscard]] std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend_curve& curve, double step);
+
+/// How often a closed sequence of points goes round the curve, with sign.
+[[nodiscard]] int turns_along(const std::vector<Vec>& points, const Curve_locator& locator);
+
+}  // namespace cgal_blend
+
+#endif

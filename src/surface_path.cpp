@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_path.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr int longest_section = 100000;  // faces
+constexpr std::size_t no_point = static_cast<std::size_t>(-1);
+
+/// A station under construction, with the given point that it stands for, if any.
+struct Draft : Station {
+  std::size_t point_index = no_point;
+};
+
+Draft on_edge(const Blend_mesh& mesh, Halfedge h, const Vec& at) {
+  return {{Station::Kind::edge, mesh.face(h), std::min(h, mesh.opposite(h)), Vertex(), at}, no_point};
+}
+
+Draft on_vertex(const Blend_mesh& mesh, const Draft& draft, Vertex v) {
+  Draft moved = draft;
+  moved.kind = Station::Kind::vertex;
+  moved.vertex = v;
+  moved.point = to_vec(mesh.point(v));
+  return moved;
+}
+
+bool same_place(const Draft& a, const Draft& b, double snap) {
+  if (a.kind != b.kind) return false;
+  if (a.kind == Station::Kind::vertex) return a.vertex == b.vertex;
+  if (a.kind == Station::Kind::edge) return a.edge == b.edge && (a.point - b.point).norm() < snap;
+  return a.face == b.face && (a.point - b.point).norm() < snap;
+}
+
+class Path_builder {
+ public:
+  Path_builder(const Base_surface& surface, double snap) : surface_(surface), mesh_(surface.mesh()), snap_(snap) {}
+
+  /// Appends the edges crossed between two points; false if the section misses the second.
+  bool trace(const Surface_point& from, const Surface_point& to, std::vector<Draft>& out) const {
+    if (from.face == to.face) return true;
+    const Vec a = surface_.position(from), b = surface_.position(to);
+    const Vec plane = (b - a).cross(surface_.normal(from) + surface_.normal(to)).stableNormalized();
+    const auto height = [&](Vertex v) { return (to_vec(mesh_.point(v)) - a).dot(plane); };
+    const auto crossing = [&](Halfedge h, double hs, double ht) -> Vec {
+      const double t = hs / (hs - ht);
+      return (1 - t) * to_vec(mesh_.point(mesh_.source(h))) + t * to_vec(mesh_.point(mesh_.target(h)));
+    };
+    Face face = from.face;
+    Halfedge entered;
+    const double distance = (b - a).squaredNorm();
+    for (int step = 0; step < longest_section; ++step) {
+      Halfedge exit;
+      Vec at = a;
+      double progress = -distance;
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(face))) {
+        if (h == entered) continue;
+        const double hs = height(mesh_.source(h)), ht = height(mesh_.target(h));
+        if ((hs >= 0) == (ht >= 0)) continue;  // zero counts as above: consistent at each vertex
+        const Vec x = crossing(h, hs, ht);
+        const double ahead = (x - a).dot(b - a);
+        if (exit != Blend_mesh::null_halfedge() && ahead <= progress) continue;
+        exit = h;
+        at = x;
+        progress = ahead;
+      }
+      if (exit == Blend_mesh::null_halfedge() || !surface_.crossable(exit)) return false;
+      if (progress > 1.5 * distance || progress < -0.5 * distance) return false;
+      out.push_back(on_edge(mesh_, exit, at));
+      entered = mesh_.opposite(exit);
+      face = mesh_.face(entered);
+      if (face == to.face) return true;
+    }
+    return false;
+  }
+
+  /// Moves a station onto a vertex or an edge that it nearly lies on.
+  Draft snapped(Draft draft) const {
+    if (draft.kind == Station::Kind::edge) {
+      const double s = distance_to(draft, mesh_.source(draft.edge)), t = distance_to(draft, mesh_.target(draft.edge));
+      if (std::min(s, t) < snap_)
+        return on_vertex(mesh_, draft, s < t ? mesh_.source(draft.edge) : mesh_.target(draft.edge));
+      return draft;
+    }
+    if (draft.kind == Station::Kind::vertex) return draft;
+    Halfedge nearest;
+    Vec foot = Vec::Zero();
+    double best = snap_;
+    for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(draft.face))) {
+      if (distance_to(draft, mesh_.target(h)) < snap_) return on_vertex(mesh_, draft, mesh_.target(h));
+      const Vec s = to_vec(mesh_.point(mesh_.source(h))), e = to_vec(mesh_.point(mesh_.target(h))) - s;
+      const Vec p = s + std::clamp((draft.point - s).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
+      if ((p - draft.point).norm() >= best) continue;
+      best = (p - draft.point).norm();
+      nearest = h;
+      foot = p;
+    }
+    if (nearest == Blend_mesh::null_halfedge() || !surface_.crossable(nearest)) return draft;
+    Draft moved = on_edge(mesh_, nearest, foot);
+    moved.point_index = draft.point_index;
+    return snapped(moved);
+  }
+
+  [[nodiscard]] double snap() const { return snap_; }
+
+ private:
+  [[nodiscard]] double distance_to(const Draft& draft, Vertex v) const {
+    return (draft.point - to_vec(mesh_.point(v))).norm();
+  }
+
+  const Base_surface& surface_;
+  const Blend_mesh& mesh_;
+  double snap_;
+};
+
+/// Merges neighbours that fell together and takes out spikes a-b-a; the given points move along.
+void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap) {
+  // owner[k]: index into path of the station that stands for given point k.
+  for (bool changed = true; changed && path.size() > 3;) {
+    changed = false;
+    const std::size_t n = path.size();
+    std::vector<std::size_t> into(n);
+    for (std::size_t i = 0; i < n; ++i) into[i] = i;
+    std::vector<bool> gone(n, false);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
+      if (gone[i] || gone[before]) continue;
+      const bool repeated = same_place(path[before], path[i], snap);
+      const bool spike = !gone[after] && after != before && path[before].kind != Station::Kind::face &&
+                         same_place(path[before], path[after], snap);
+      if (!repeated && !spike) continue;
+      if (repeated && path[i].point_index != no_point && path[before].point_index == no_point &&
+          path[i].kind != Station::Kind::vertex)
+        path[before].point = path[i].point;  // keep the exact contact rather than a crossing
+      if (path[before].point_index == no_point) path[before].point_index = path[i].point_index;
+      gone[i] = changed = true;
+      into[i] = before;
+    }
+    if (!changed) break;
+    std::vector<std::size_t> renumbered(n);
+    std::vector<Draft> kept;
+    for (std::size_t i = 0; i < n; ++i)
+      if (!gone[i]) {
+        renumbered[i] = kept.size();
+        kept.push_back(path[i]);
+      }
+    for (std::size_t& o : owner) o = renumbered[into[o]];
+    path = std::move(kept);
+  }
+}
+
+}  // namespace
+
+std::optional<Surface_path> closed_path(const Base_surface& surface, const std::vector<Surface_point>& points,
+                                        double snap, Vec& stuck) {
+  const Path_builder builder(surface, snap);
+  std::vector<Draft> drafts;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Surface_point& next = points[(i + 1) % points.size()];
+    drafts.push_back({{Station::Kind::face, points[i].face, Halfedge(), Vertex(), surface.position(points[i])}, i});
+    if (!builder.trace(points[i], next, drafts)) {
+      stuck = surface.position(points[i]);
+      return std::nullopt;
+    }
+  }
+  std::vector<std::size_t> owner(points.size());
+  for (std::size_t i = 0; i < drafts.size(); ++i) {
+    if (drafts[i].point_index != no_point) owner[drafts[i].point_index] = i;
+    drafts[i] = builder.snapped(drafts[i]);
+  }
+  tidy(drafts, owner, snap);
+  Surface_path path;
+  for (const Draft& draft : drafts) path.stations.push_back(draft);
+  path.station_of = std::move(owner);
+  return path;
+}
+
+}  // namespace cgal_blend

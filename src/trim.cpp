@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trim.h"
+
+#include "cell_triangulation.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+namespace cgal_blend {
+
+namespace {
+
+using Cell = Cell_map::Cell;
+using Directed = std::pair<Vertex, Vertex>;
+
+Diagnosis refusal(Status status, const Vec& at) {
+  Diagnosis diagnosis;
+  diagnosis.status = status;
+  diagnosis.point = to_point(at);
+  return diagnosis;
+}
+
+/// The faces of the base surface that a station lies on.
+std::vector<Face> faces_at(const Blend_mesh& mesh, const Station& s) {
+  switch (s.kind) {
+    case Station::Kind::face: return {s.face};
+    case Station::Kind::edge: return {mesh.face(s.edge), mesh.face(mesh.opposite(s.edge))};
+    case Station::Kind::vertex: break;
+  }
+  std::vector<Face> faces;
+  for (const Face f : mesh.faces_around_target(mesh.halfedge(s.vertex))) faces.push_back(f);
+  return faces;
+}
+
+class Trimmer {
+ public:
+  Trimmer(const Blend_mesh& mesh, const Cell_map& cells, const std::vector<Rim>& rims,
+          const std::unordered_set<Edge>& curves)
+      : mesh_(mesh), cells_(cells), rims_(rims), curves_(curves) {}
+
+  Trimming run() {
+    for (const Rim& rim : rims_)
+      if (!assign_segments(rim)) return fail();
+    for (const Rim& rim : rims_)
+      if (!assign_edge_stations(rim)) return fail();
+    for (auto& [cell, work] : work_)
+      if (!cut(cell, work)) return fail();
+    if (!flood()) return fail();
+    return std::move(result_);
+  }
+
+ private:
+  /// What happens in one cell.
+  struct Work {
+    const Rim* rim = nullptr;              // any of those that cross the cell
+    std::vector<Directed> segments;        // what is kept lies to their left
+    std::set<Vertex> inner;                // rim vertices inside the cell
+  };
+
+  Trimming fail() {
+    result_.removed.clear();
+    result_.remnants.clear();
+    return std::move(result_);
+  }
+
+  bool refuse(Status status, const Vec& at, std::size_t blend) {
+    result_.diagnosis = refusal(status, at);
+    result_.blend = blend;
+    return false;
+  }
+
+  /// Sorts the steps of a rim into the cells that they run in; a step along an edge concerns both its cells.
+  bool assign_segments(const Rim& rim) {
+    const Blend_mesh& base = rim.surface->mesh();
+    const std::size_t n = rim.path.stations.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      const Station &a = rim.path.stations[i], &b = rim.path.stations[j];
+      bool found = false;
+      for (const Face f : faces_at(base, a)) {
+        const std::vector<Face> others = faces_at(base, b);
+        if (std::find(others.begin(), others.end(), f) == others.end()) continue;
+        Work& work = work_[cells_.cell(rim.operand, f)];
+        work.rim = &rim;
+        const Directed step{rim.vertices[i], rim.vertices[j]};
+        work.segments.push_back(rim.keep_left ? step : Directed{step.second, step.first});
+        found = true;
+      }
+      if (!found) return refuse(Status::no_rolling_ball, a.point, rim.blend);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      for (const Face f : faces_at(base, rim.path.stations[i]))
+        if (rim.path.stations[i].kind != Station::Kind::vertex) {
+          Work& work = work_[cells_.cell(rim.operand, f)];
+          work.rim = &rim;
+          if (rim.path.stations[i].kind == Station::Kind::face) work.inner.insert(rim.vertices[i]);
+        }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Halfedge> boundary(Cell cell) const {
+    std::vector<Halfedge> border;
+    for (const Face f : cells_.faces(cell))
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f)))
+        if (cells_.cell(mesh_.face(mesh_.opposite(h))) != cell) border.push_back(h);
+    return border;
+  }
+
+  /// Finds the mesh edge that each edge station divides: base edges may be cut by other curves.
+  bool assign_edge_stations(const Rim& rim) {
+    const Blend_mesh& base = rim.surface->mesh();
+    for (std::size_t i = 0; i < rim.path.stations.size(); ++i) {
+      const Station& s = rim.path.stations[i];
+      if (s.kind != Station::Kind::edge) continue;
+      const Cell cell = cells_.cell(rim.operand, base.face(s.edge));
+      const Cell across = cells_.cell(rim.operand, base.face(base.opposite(s.edge)));
+      Halfedge nearest;
+      double best = 0, at = 0;
+      for (const Halfedge h : boundary(cell)) {
+        if (cells_.cell(mesh_.face(mesh_.opposite(h))) != across) continue;
+        const Halfedge g = std::min(h, mesh_.opposite(h));
+        const Vec a = to_vec(mesh_.point(mesh_.source(g))), e = to_vec(mesh_.point(mesh_.target(g))) - a;
+        const double t = (s.point - a).dot(e) / e.squaredNorm();
+        const double distance = (a + std::clamp(t, 0.0, 1.0) * e - s.point).norm();
+        if (nearest != Blend_mesh::null_halfedge() && distance >= best) continue;
+        nearest = g;
+        best = distance;
+        at = t;
+      }
+      if (nearest == Blend_mesh::null_halfedge() || at <= 0 || at >= 1)  // the contact is not on the solid
+        return refuse(Status::no_rolling_ball, s.point, rim.blend);
+      on_edge_[nearest].insert({at, rim.vertices[i]});
+    }
+    return true;
+  }
+
+  /// The border of a cell as directed steps, divided at the edge stations.
+  std::vector<Directed> divided_boundary(Cell cell) {
+    std::vector<Directed> steps;
+    for (const Halfedge h : boundary(cell)) {
+      if (curves_.count(mesh_.edge(h))) continue;  // goes with the blend; nothing that is kept ends there
+      std::vector<Vertex> chain{mesh_.source(h)};
+      const auto found = on_edge_.find(std::min(h, mesh_.opposite(h)));
+      if (found != on_edge_.end()) {
+        for (const auto& [t, v] : found->second) chain.push_back(v);
+        if (h != found->first) std::reverse(chain.begin() + 1, chain.end());
+      }
+      chain.push_back(mesh_.target(h));
+      for (std::size_t i = 1; i < chain.size(); ++i) steps.push_back({chain[i - 1], chain[i]});
+    }
+    return steps;
+  }
+
+  bool cut(Cell cell, const Work& work) {
+    for (const Face f : cells_.faces(cell)) {
+      touched_.insert(f);
+      result_.removed.push_back(f);
+    }
+    const std::vector<Directed> border = divided_boundary(cell);
+    const std::vector<Face> parts = cells_.faces(cell);
+    const Rim& rim = *work.rim;
+    if (parts.empty()) return refuse(Status::no_rolling_ball, mesh_point(work), rim.blend);
+    // The plane of the cell, oriented outward: that of the base face it is a part of.
+    const Vec normal = rim.surface->frame(cells_.base_face(parts.front())).face_normal;
+    const Cell_triangulation kept = triangulate_cell(mesh_, normal, border, work.segments, work.inner);
+    if (!kept.conflict.has_value()) {
+      for (const auto& t : kept.triangles) {
+        result_.remnants.push_back(t);
+        for (int i = 0; i < 3; ++i) kept_steps_.insert({t[i], t[(i + 1) % 3]});
+      }
+      return true;
+    }
+    const Vec at = to_vec(*kept.conflict);
+    return refuse(Status::blends_overlap, at, rim.blend);
+  }
+
+  [[nodiscard]] Vec mesh_point(const Work& work) const { return to_vec(mesh_.point(work.segments.front().first)); }
+
+  /// Everything behind a part of a cut cell's border that no remnant uses goes, and what hangs together with it.
+  bool flood() {
+    std::vector<Face> stack;
+    std::unordered_set<Face> dropped;
+    const auto drop = [&](Face f) {
+      if (touched_.count(f) || !dropped.insert(f).second) return;
+      stack.push_back(f);
+    };
+    for (const Edge e : curves_)
+      for (const Halfedge h : {mesh_.halfedge(e, 0), mesh_.halfedge(e, 1)}) drop(mesh_.face(h));
+    for (const auto& [cell, work] : work_)
+      for (const Halfedge h : boundary(cell))
+        if (!kept_steps_.count({mesh_.source(h), mesh_.target(h)})) drop_beyond(h, drop);
+    while (!stack.empty()) {
+      const Face f = stack.back();
+      stack.pop_back();
+      result_.removed.push_back(f);
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
+        const Halfedge o = mesh_.opposite(h);
+        if (!touched_.count(mesh_.face(o)))
+          drop(mesh_.face(o));
+        else if (kept_steps_.count({mesh_.source(o), mesh_.target(o)}))  // would leave a hole
+          return refuse(Status::blends_overlap, to_vec(mesh_.point(mesh_.source(h))), rims_.front().blend);
+      }
+    }
+    return true;
+  }
+
+  template <class Drop>
+  void drop_beyond(Halfedge h, const Drop& drop) const {
+    // A divided edge lies between two cut cells; there is nothing untouched beyond it.
+    if (!on_edge_.count(std::min(h, mesh_.opposite(h)))) drop(mesh_.face(mesh_.opposite(h)));
+  }
+
+  const Blend_mesh& mesh_;
+  const Cell_map& cells_;
+  const std::vector<Rim>& rims_;
+  const std::unordered_set<Edge>& curves_;
+  std::map<Cell, Work> work_;
+  std::map<Halfedge, std::multimap<double, Vertex>> on_edge_;
+  std::unordered_set<Face> touched_;
+  std::set<Directed> kept_steps_;
+  Trimming result_;
+};
+
+}  // namespace
+
+Diagnosis add_rim_vertices(Blend_mesh& mesh, const Cell_map& cells, Rim& rim) {
+  for (const Station& s : rim.path.stations) {
+    const Vertex v = s.kind == Station::Kind::vertex ? cells.vertex(rim.operand, s.vertex)
+                                                     : mesh.add_vertex(to_point(s.point));
+    if (v == Blend_mesh::null_vertex()) return refusal(Status::no_rolling_ball, s.point);
+    rim.vertices.push_back(v);
+  }
+  return {};
+}
+
+Trimming trim(const Blend_mesh& mesh, const Cell_map& cells, const std::vector<Rim>& rims,
+              const std::unordered_set<Edge>& curves) {
+  return Trimmer(mesh, cells, rims, curves).run();
+}
+
+}  // namespace cgal_blend

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_TRIM_H
+#define CGAL_BLEND_SRC_TRIM_H
+
+#include "cell_map.h"
+#include "surface_path.h"
+
+#include <cgal_blend/status.h>
+
+#include <array>
+#include <cstddef>
+#include <unordered_set>
+#include <vector>
+
+namespace cgal_blend {
+
+/// A linkage curve to cut along, as a closed polyline on its base surface.
+struct Rim {
+  const Base_surface* surface = nullptr;
+  int operand = 0;
+  Surface_path path;
+  bool keep_left = true;          ///< what is kept lies left of the path seen from outside, else right of it
+  std::size_t blend = 0;          ///< index of the blend, for reports
+  std::vector<Vertex> vertices;   ///< per station; filled by `add_rim_vertices`
+};
+
+/// What cutting along the rims takes from a mesh and gives back; the mesh itself is changed by `replace_faces`.
+struct Trimming {
+  Diagnosis diagnosis;
+  std::size_t blend = 0;                          ///< the blend that cannot be cut in, if the diagnosis is not `ok`
+  std::vector<Face> removed;                      ///< cut faces and those between the rims
+  std::vector<std::array<Vertex, 3>> remnants;    ///< triangles that remain of the cut faces
+};
+
+/// Adds the vertices of the rims to the mesh, or finds them where they stand on vertices of it.
+[[nodiscard]] Diagnosis add_rim_vertices(Blend_mesh& mesh, const Cell_map& cells, Rim& rim);
+
+/// Cuts the faces along the rims (constrained Delaunay triangulation of each cell in its plane), and finds by flooding
+/// what lies between rims and curves. Kept remnants of a face lie in its plane.
+/// \param curves edges of the mesh that the blends replace
+[[nodiscard]] Trimming trim(const Blend_mesh& mesh, const Cell_map& cells, const std::vector<Rim>& rims,
+                            const std::unordered_set<Edge>& curves);
+
+}  // namespace cgal_blend
+
+#endif

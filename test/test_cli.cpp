@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_runner.h"
+
+#include "checks.h"
+#include "shapes.h"
+
+#include <cgal_blend/mesh_io.h>
+
+#include <gtest/gtest.h>
+
+
+namespace {
+
+using namespace cgal_blend;
+using namespace cgal_blend::test;
+
+/// The good paths: what comes out is what was asked for, and the report says the same as the file.
+class Cli : public Cli_runner {
+ protected:
+  void SetUp() override {
+    Cli_runner::SetUp();
+    write_mesh(path("a.off"), box({0, 0, 0}, {2, 2, 2}));
+    write_mesh(path("b.off"), box({1, 1, 1}, {3, 3, 3}));
+    write_mesh(path("plate.off"), plate(50, 10));
+    write_mesh(path("boss.off"), cylinder(15, 64, -5, 40));
+    write_mesh(path("cylinder.off"), cylinder(10, 64, 0, 20));
+  }
+
+  double volume(const std::string& file) { return volume_of(read_mesh(path(file))); }
+
+  void expect_valid(const std::string& file) {
+    EXPECT_EQ(run("check " + file + " --quiet").exit, 0) << file;
+    const Blend_mesh mesh = read_mesh(path(file));
+    EXPECT_TRUE(is_closed_by_counting(mesh) && has_single_fans(mesh)) << file;
+  }
+};
+
+TEST_F(Cli, SharpBooleansOfTwoBoxes) {
+  const std::pair<const char*, double> expected[] = {{"union", 15}, {"intersection", 1}, {"difference", 7}};
+  for (const auto& [word, value] : expected) {
+    const Run r = run(std::string(word) + " a.off b.off -o out.off");
+    EXPECT_EQ(r.exit, 0) << r.err;
+    EXPECT_EQ(r.err, "");
+    EXPECT_NE(r.out, "") << "a summary";
+    expect_valid("out.off");
+    EXPECT_NEAR(volume("out.off"), value, 1e-12) << word;
+  }
+}
+
+TEST_F(Cli, EveryFormatInAndOut) {
+  for (const char* in : {"off", "obj", "ply", "stl"}) {
+    write_mesh(path(std::string("in.") + in), box({1, 1, 1}, {3, 3, 3}));
+    for (const char* out : {"off", "obj", "ply", "stl"}) {
+      const Run r = run("union a.off in." + std::string(in) + " -o out." + out);
+      EXPECT_EQ(r.exit, 0) << in << " " << out << r.err;
+      EXPECT_NEAR(volume(std::string("out.") + out), 15, 1e-5);
+    }
+  }
+}
+
+TEST_F(Cli, ReportAgreesWithTheFile) {
+  const Run r = run("union plate.off boss.off --radius 5 -o out.off --report report.json");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  expect_valid("out.off");
+  const Json report = json("report.json");
+  EXPECT_EQ(report["command"], "union");
+  EXPECT_EQ(report["status"], "ok");
+  EXPECT_TRUE(report["message"].is_string());
+  EXPECT_EQ(report["input"]["vertices"], 8);
+  EXPECT_EQ(report["input"]["faces"], 12);
+  EXPECT_EQ(report["input_b"]["faces"], 256);
+  const Blend_mesh mesh = read_mesh(path("out.off"));
+  const Json& output = report["output"];
+  EXPECT_EQ(output["vertices"], mesh.number_of_vertices());
+  EXPECT_EQ(output["faces"], mesh.number_of_faces());
+  EXPECT_TRUE(output["closed"].get<bool>() && output["manifold"].get<bool>());
+  EXPECT_EQ(output["self_intersections"], 0);
+  EXPECT_NEAR(output["volume"].get<double>(), volume_of(mesh), 1e-9 * volume_of(mesh));
+  EXPECT_NEAR(output["area"].get<double>(), area_of(mesh), 1e-9 * area_of(mesh));
+  const double share = output["untouched_share"];
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 1);
+  ASSERT_EQ(report["blends"].size(), 1u);
+  const Json& blend = report["blends"][0];
+  EXPECT_EQ(blend["status"], "ok");
+  EXPECT_GE(blend["edges"].get<int>(), 64);
+  EXPECT_TRUE(blend["closed"].get<bool>());
+  EXPECT_FALSE(blend["convex"].get<bool>());
+  EXPECT_EQ(blend["radius"], 5.0);
+  EXPECT_LT(blend["radius_error"].get<double>(), 0.01);
+  EXPECT_TRUE(blend["tangency_deg"].is_number());
+  for (const char* key : {"message", "point", "max_radius"}) EXPECT_TRUE(blend.contains(key)) << key;
+  for (const char* key : {"read", "check_input", "boolean", "blend", "validate", "write"})
+    EXPECT_GE(report["timings_ms"][key].get<double>(), 0) << key;
+}
+
+TEST_F(Cli, ReportOnStandardOutputIsAlone) {
+  const Run r = run("difference a.off b.off -o out.off --report -");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  EXPECT_EQ(Json::parse(r.out)["command"], "difference");
+  EXPECT_EQ(run("difference a.off b.off -o out.off --quiet").out, "");
+}
+
+TEST_F(Cli, PlacesTheSecondBody) {
+  const auto union_volume = [&](const std::string& matrix) {
+    const Run r = run("union a.off a.off -o out.off --transform-b \"" + matrix + "\"");
+    EXPECT_EQ(r.exit, 0) << r.err;
+    expect_valid("out.off");
+    return volume("out.off");
+  };
+  EXPECT_NEAR(union_volume("1 0 0 1  0 1 0 1  0 0 1 1"), 15, 1e-12);
+  EXPECT_NEAR(union_volume("0.5 0 0 -.5  0 0.5 0 0.25  0 0 0.5 0.25"), 8.5, 1e-12);
+  EXPECT_NEAR(union_volume("-1 0 0 3  0 1 0 1  0 0 1 1"), 15, 1e-12) << "a mirrored solid is a solid";
+}
+
+TEST_F(Cli, ThreeWaysToChooseEdges) {
+  const Blend_mesh mesh = read_mesh(path("cylinder.off"));
+  std::string selection = "\n\n", indices, points;
+  for (int i = 64; i <= 128; ++i) {  // the upper rim
+    const int v = 64 + i % 64;
+    const Point_3& p = mesh.point(Vertex(v));
+    if (i < 128) selection += std::to_string(v) + " " + std::to_string(64 + (i + 1) % 64) + " ";
+    indices += (i > 64 ? "," : "") + std::to_string(v);
+    points += (i > 64 ? "," : "") + Json{p.x(), p.y(), p.z()}.dump();
+  }
+  write("rim.selection.txt", selection + "\n");
+  write("indices.json", R"({"blends": [{"polyline": [)" + indices + R"(], "radius": 2, "profile": "arc"}]})");
+  write("points.json", R"({"blends": [{"polyline": [)" + points + "]}]}");
+  write_mesh(path("cylinder.stl"), mesh);
+
+  EXPECT_EQ(run("fillet cylinder.off --sharp-angle 40 --radius 2 -o both.off").exit, 0);
+  EXPECT_EQ(run("fillet cylinder.off --edges rim.selection.txt --radius 2 -o one.off").exit, 0);
+  EXPECT_EQ(run("fillet cylinder.off --blends indices.json -o two.off").exit, 0);
+  EXPECT_EQ(run("fillet cylinder.stl --blends points.json --radius 2 -o three.off").exit, 0);
+  for (const char* file : {"both.off", "one.off", "two.off", "three.off"}) expect_valid(file);
+  EXPECT_EQ(bytes("one.off"), bytes("two.off"));
+  const double full = volume("cylinder.off");
+  EXPECT_NEAR(full - volume("both.off"), 2 * (full - volume("one.off")), 1e-3 * (full - volume("both.off")));
+  EXPECT_NEAR(volume("three.off"), volume("one.off"), 1e-4 * full);
+}
+
+TEST_F(Cli, SameInputSameBytes) {
+  ASSERT_EQ(run("union plate.off boss.off --radius 3 -o first.off").exit, 0);
+  ASSERT_EQ(run("union plate.off boss.off --radius 3 -o second.off").exit, 0);
+  EXPECT_EQ(bytes("first.off"), bytes("second.off"));
+}
+
+TEST_F(Cli, OutputMayReplaceTheInput) {
+  ASSERT_EQ(run("union a.off b.off -o a.off").exit, 0);
+  EXPECT_NEAR(volume("a.off"), 15, 1e-12);
+}
+
+TEST_F(Cli, CheckPrintsAndReports) {
+  const Run text = run("check a.off");
+  EXPECT_EQ(text.exit, 0);
+  EXPECT_NE(text.out.find("valid"), std::string::npos);
+  for (const char* flag : {"--json", "--report -"}) {
+    const Json report = Json::parse(run(std::string("check a.off ") + flag).out);
+    EXPECT_EQ(report["status"], "ok");
+    EXPECT_EQ(report["output"]["faces"], 12);
+    EXPECT_TRUE(report["output"]["closed"].get<bool>() && report["output"]["outward"].get<bool>());
+    EXPECT_NEAR(report["output"]["volume"].get<double>(), 8, 1e-12);
+  }
+}
+
+TEST_F(Cli, HelpAndVersion) {
+  EXPECT_EQ(run("--version").exit, 0);
+  for (const char* word : {"", "union", "fillet", "check"}) {
+    const Run r = run(std::string(word) + " --help");
+    EXPECT_EQ(r.exit, 0);
+    EXPECT_NE(r.out, "");
+    EXPECT_EQ(r.err, "");
+  }
+}
+
+}  // namespace
