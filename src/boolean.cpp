@@ -72,10 +72,18 @@ bool run(Blend_mesh& a, Blend_mesh& b, Boolean_operation operation, Blend_mesh& 
   return false;
 }
 
-bool flat(Edge e, const Blend_mesh& mesh) {
-  const Halfedge h = mesh.halfedge(e), o = mesh.opposite(h);
-  return CGAL::coplanar(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))),
-                        mesh.point(mesh.target(mesh.next(o))));
+/// True if the base faces on both sides of an edge are coplanar. The faces of the result itself may be too small to tell.
+bool flat(Edge e, const Blend_mesh& mesh, const Cell_map& cells, const std::array<const Blend_mesh*, 2>& operands) {
+  std::array<std::array<Point_3, 3>, 2> corner;
+  for (int side = 0; side < 2; ++side) {
+    const Face face = mesh.face(mesh.halfedge(e, side));
+    const Blend_mesh& base = *operands[cells.operand(face)];
+    int i = 0;
+    for (const Vertex v : base.vertices_around_face(base.halfedge(cells.base_face(face)))) corner[side][i++] = base.point(v);
+  }
+  for (const Point_3& p : corner[1])
+    if (!CGAL::coplanar(corner[0][0], corner[0][1], corner[0][2], p)) return false;
+  return true;
 }
 
 Diagnosis refusal(Status status) {
@@ -116,7 +124,7 @@ Boolean_result compute_boolean(const Blend_mesh& a, const Blend_mesh& b, Boolean
   record->cell_of_face.resize(result.mesh.number_of_faces());
   result.cells = Cell_map(record->faces, std::move(record->cell_of_face), std::move(record->vertex_of));
   for (const Edge e : result.mesh.edges())
-    if (crease[e] && !flat(e, result.mesh)) result.curves.push_back(e);
+    if (crease[e] && !flat(e, result.mesh, result.cells, {&a, &b})) result.curves.push_back(e);
   result.mesh.remove_property_map(crease);
   return result;
 }

@@ -81,60 +81,69 @@ CGAL::Bbox_3 bbox(const Blend_mesh& mesh, const Triangle& t) {
   return mesh.point(Vertex(t[0])).bbox() + mesh.point(Vertex(t[1])).bbox() + mesh.point(Vertex(t[2])).bbox();
 }
 
-/// Marks the cells of a coarse grid that given boxes meet; tells in constant time whether another box meets a marked one.
-/// The marks are summed up along the axes, so that the number in any block of cells is a sum of eight.
+/// A coarse grid that counts given boxes per cell; tells in constant time whether another box meets a cell in use.
+/// Boxes enter as the corners of a sum over cells and leave as sums, so that large ones cost no more than small ones.
 class Cell_marks {
  public:
-  explicit Cell_marks(const std::vector<CGAL::Bbox_3>& boxes) : sums_(size * size * size, 0) {
+  Cell_marks(const std::vector<CGAL::Bbox_3>& boxes, int cells)
+      : cells_(cells), size_(cells + 1), sums_(static_cast<std::size_t>(size_) * size_ * size_, 0) {
     for (const CGAL::Bbox_3& box : boxes) extent_ += box;
     for (int k = 0; k < 3; ++k) {
       const double width = extent_.max(k) - extent_.min(k);
       scale_[k] = width > 0 ? cells / width : 0;
     }
-    for (const CGAL::Bbox_3& box : boxes) mark(box);
-    for (int axis = 0; axis < 3; ++axis) sum_up(axis);
+    for (const CGAL::Bbox_3& box : boxes)
+      each_corner(box, [&](std::size_t at, int sign) { sums_[at] += sign; });
+    sum_up();  // now the number of boxes per cell
+    for (std::int32_t& sum : sums_) sum = sum > 0;
+    shift();
+    sum_up();  // now the number of cells in use, from the origin on
   }
 
   [[nodiscard]] bool meets(const CGAL::Bbox_3& box) const {
     if (!CGAL::do_overlap(box, extent_)) return false;
-    int low[3], high[3];
-    for (int k = 0; k < 3; ++k) {
-      low[k] = cell(box.min(k), k);
-      high[k] = cell(box.max(k), k) + 1;
-    }
-    long long sum = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const int x = corner & 1 ? high[0] : low[0], y = corner & 2 ? high[1] : low[1], z = corner & 4 ? high[2] : low[2];
-      const bool positive = ((corner & 1) + (corner >> 1 & 1) + (corner >> 2 & 1)) % 2 == 1;
-      sum += positive ? at(x, y, z) : -at(x, y, z);
-    }
-    return sum > 0;
+    std::int32_t used = 0;
+    each_corner(box, [&](std::size_t at, int sign) { used -= sign * sums_[at]; });
+    return used > 0;
   }
 
  private:
-  static constexpr int cells = 64;
-  static constexpr int size = cells + 1;  // plane 0 stays empty
-
-  [[nodiscard]] std::size_t index(int x, int y, int z) const { return (static_cast<std::size_t>(z) * size + y) * size + x; }
-  [[nodiscard]] long long at(int x, int y, int z) const { return sums_[index(x, y, z)]; }
+  [[nodiscard]] std::size_t index(int x, int y, int z) const { return (static_cast<std::size_t>(z) * size_ + y) * size_ + x; }
 
   [[nodiscard]] int cell(double x, int axis) const {
-    return static_cast<int>(std::clamp((x - extent_.min(axis)) * scale_[axis], 0.0, cells - 1.0));
+    return static_cast<int>(std::clamp((x - extent_.min(axis)) * scale_[axis], 0.0, cells_ - 1.0));
   }
 
-  void mark(const CGAL::Bbox_3& box) {
-    for (int z = cell(box.zmin(), 2); z <= cell(box.zmax(), 2); ++z)
-      for (int y = cell(box.ymin(), 1); y <= cell(box.ymax(), 1); ++y)
-        for (int x = cell(box.xmin(), 0); x <= cell(box.xmax(), 0); ++x) sums_[index(x + 1, y + 1, z + 1)] = 1;
+  /// Visits the eight corners of a block of cells, the low one included and the high one beyond, with the signs that a
+  /// block has in a sum over cells: + for the low corner, changing along every edge.
+  template <class Visit>
+  void each_corner(const CGAL::Bbox_3& box, Visit&& visit) const {
+    int at[2][3];
+    for (int k = 0; k < 3; ++k) {
+      at[0][k] = cell(box.min(k), k);
+      at[1][k] = cell(box.max(k), k) + 1;
+    }
+    for (int z = 0; z < 2; ++z)
+      for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 2; ++x) visit(index(at[x][0], at[y][1], at[z][2]), (x + y + z) % 2 == 0 ? 1 : -1);
   }
 
-  void sum_up(int axis) {
-    const int dx = axis == 0, dy = axis == 1, dz = axis == 2;
-    for (int z = dz; z < size; ++z)
-      for (int y = dy; y < size; ++y)
-        for (int x = dx; x < size; ++x) sums_[index(x, y, z)] += sums_[index(x - dx, y - dy, z - dz)];
+  /// Moves all values one cell up along each axis: sums then exclude the cell that they stand at.
+  void shift() {
+    for (std::size_t i = sums_.size(), step = index(1, 1, 1); i-- > 0;) sums_[i] = i >= step ? sums_[i - step] : 0;
   }
 
+  void sum_up() {
+    const std::size_t steps[] = {1, static_cast<std::size_t>(size_), static_cast<std::size_t>(size_) * size_};
+    for (int axis = 0; axis < 3; ++axis)
+      for (int z = axis == 2; z < size_; ++z)
+        for (int y = axis == 1; y < size_; ++y) {
+          std::int32_t* row = &sums_[index(0, y, z)];
+          for (int x = axis == 0; x < size_; ++x) row[x] += *(row + x - steps[axis]);
+        }
+  }
+
+  int cells_, size_;  // one plane more than cells, for the sums
   std::vector<std::int32_t> sums_;
   CGAL::Bbox_3 extent_;
   double scale_[3];
@@ -164,7 +173,8 @@ Near_faces find_near_faces(const Blend_mesh& mesh, const Face_table& table, cons
     if (!is_degenerate(mesh, corners(mesh, table.faces[i]))) near.changed.emplace_back(boxes.back(), table.faces[i]);
   }
   if (boxes.empty()) return near;
-  const Cell_marks marks(boxes);
+  // Cells a few faces wide; more would cost more than they spare.
+  const Cell_marks marks(boxes, static_cast<int>(std::clamp(std::sqrt(table.faces.size()) / 4, 4.0, 128.0)));
   for (std::size_t i = 0; i < table.faces.size(); ++i) {
     if (is_changed[table.faces[i]]) continue;
     const CGAL::Bbox_3 box = bbox(mesh, table.triangles[i]);

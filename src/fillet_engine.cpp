@@ -8,7 +8,8 @@
 #include "stopwatch.h"
 #include "trim.h"
 
-#include <cgal_blend/creases.h>
+#include <Eigen/Geometry>
+
 #include <cgal_blend/curve_network.h>
 #include <cgal_blend/validate.h>
 
@@ -23,13 +24,22 @@ namespace cgal_blend {
 
 namespace {
 
-/// Ways to see a rough surface as smooth, tried in turn: the smooth angle at least, and passes over the normals. Whatever
-/// the normals are, the ball touches exactly; what suffers is tangency to the facets, and that is reported.
+/// Ways to see a rough surface as smooth, tried in turn: the least smooth angle, passes over the normals, and how much
+/// longer the shortest step is. Whatever the normals are, the ball touches exactly; what suffers is tangency to the
+/// facets, and that is reported.
 struct Smoothing {
   double smooth_angle;
   int passes;
+  double coarsening;
 };
-constexpr std::array<Smoothing, 4> smoothings{{{0, 0}, {0, 3}, {60, 6}, {75, 12}}};
+constexpr std::array<Smoothing, 6> smoothings{
+    {{0, 0, 1}, {0, 3, 1}, {50, 6, 2}, {60, 12, 3}, {75, 24, 4}, {75, 48, 6}}};
+
+// Positions that the rims cannot be led through may be left out, up to this share.
+constexpr double spare_positions = 0.2;
+
+// Edges that bend the other way count as rounded if they make up less than this share of a curve.
+constexpr double rounding_share = 1e-9;
 
 // A rim keeps this far from vertices and edges that it does not run through.
 constexpr double snap_of_radius = 0.01;
@@ -120,22 +130,38 @@ class Engine {
 
   Diagnosis make_curve(Job& job) const {
     const Blend_mesh& mesh = *body_.mesh;
-    std::size_t convex = 0;
+    double ridge = 0, groove = 0;  // how much of the curve bends outward, and how much inward
+    Vec turn = Vec::Zero();        // where it bends the other way
     for (const Halfedge h : job.halfedges) {
       const Face left = mesh.face(h), right = mesh.face(mesh.opposite(h));
       const std::array<int, 2> operand{body_.cells.operand(left), body_.cells.operand(right)};
       if (job.curve.points.empty()) job.operand = operand;
       const Vec at = to_vec(mesh.point(mesh.source(h)));
       if (operand != job.operand) return refusal(Status::corner, at);
-      const CGAL::Sign bend = edge_convexity(mesh.edge(h), mesh);
-      if (bend == CGAL::ZERO) return refusal(Status::edge_is_smooth, at);
-      convex += bend == CGAL::POSITIVE ? 1 : 0;
-      if (convex != 0 && convex != job.curve.points.size() + 1) return refusal(Status::mixed_convexity, at);
       job.curve.points.push_back(at);
       job.curve.faces.push_back({body_.cells.base_face(left), body_.cells.base_face(right)});
+      const double bend = bend_at(job, to_vec(mesh.point(mesh.target(h))) - at);
+      (bend > 0 ? ridge : groove) += std::abs(bend);
+      if ((bend > 0) != (ridge > groove)) turn = at;
     }
-    job.curve.convex = job.report.convex = convex != 0;
+    if (!(ridge + groove > 0)) return refusal(Status::edge_is_smooth, job.curve.points.front());
+    if (std::min(ridge, groove) > rounding_share * (ridge + groove)) return refusal(Status::mixed_convexity, turn);
+    job.curve.convex = job.report.convex = ridge > groove;
     return {};
+  }
+
+  /// Signed bend of the last edge of a curve times its length, by the base faces: those of a boolean's result may be too
+  /// thin to have a normal, and its edges too short to have a direction.
+  [[nodiscard]] double bend_at(const Job& job, const Vec& edge) const {
+    std::array<Vec, 2> n;
+    for (int side = 0; side < 2; ++side) {
+      const Blend_mesh& base = *body_.base[job.operand[side]];
+      const Halfedge h = base.halfedge(job.curve.faces.back()[side]);
+      const Vec a = to_vec(base.point(base.source(h))), b = to_vec(base.point(base.target(h)));
+      n[side] = (b - a).cross(to_vec(base.point(base.target(base.next(h)))) - a).stableNormalized();
+      if (body_.reversed[job.operand[side]]) n[side] = -n[side];
+    }
+    return n[0].cross(n[1]).dot(edge);
   }
 
   /// Where two consecutive edges of the curve border on base faces that meet in a sharp edge, three surfaces meet.
@@ -179,29 +205,42 @@ class Engine {
         job.rolled = diagnosis.ok();
         if (job.rolled) break;
         if (!job.first_failure) job.first_failure = diagnosis;
+        if (getenv("DBG")) fprintf(stderr, "job %zu level %zu %s\n", i, job.level, message(diagnosis).c_str());
       }
-      if (!job.rolled) job.report.diagnosis = *job.first_failure;
+      if (!job.rolled) refuse(job);
     }
     return first_refusal();
   }
 
   Diagnosis roll(Job& job, std::size_t index) {
-    if (const auto corner = find_corner(job)) return refusal(Status::corner, *corner);
     const std::array<const Base_surface*, 2> surfaces{&base_surface(job, 0), &base_surface(job, 1)};
     const double radius = job.report.radius;
-    const Sampling steps = sampling(options_.chord_tolerance);
+    Sampling steps = sampling(options_.chord_tolerance);
+    const double snap = radius * std::min(snap_of_radius, snap_of_facet * steps.finest);
+    steps.finest = std::min(steps.coarsest, steps.finest * smoothings[job.level].coarsening);
     Ball_path path = roll_ball(surfaces, job.curve, radius, steps);
     if (!path.diagnosis.ok()) return path.diagnosis;
-    const double snap = radius * std::min(snap_of_radius, snap_of_facet * steps.finest);
-    for (int side = 0; side < 2; ++side) {
-      std::vector<Surface_point> feet;
-      for (const Ball_position& p : path.positions) feet.push_back(p.foot[side]);
-      Vec stuck;
-      auto rim = closed_path(*surfaces[side], feet, snap, stuck);
-      if (!rim) return refusal(Status::no_rolling_ball, stuck);
-      job.rims[side] = {surfaces[side], job.operand[side], std::move(*rim), side == 0, index, {}};
-    }
     job.positions = std::move(path.positions);
+    return lay_rims(job, index, surfaces, snap);
+  }
+
+  Diagnosis lay_rims(Job& job, std::size_t index, const std::array<const Base_surface*, 2>& surfaces, double snap) const {
+    const auto fewest = static_cast<std::size_t>((1 - spare_positions) * static_cast<double>(job.positions.size()));
+    for (int side = 0; side < 2;) {
+      std::vector<Surface_point> feet;
+      for (const Ball_position& p : job.positions) feet.push_back(p.foot[side]);
+      std::size_t stuck = 0;
+      auto rim = closed_path(*surfaces[side], feet, snap, stuck);
+      if (rim) {
+        job.rims[side] = {surfaces[side], job.operand[side], std::move(*rim), side == 0, index, {}};
+        ++side;
+        continue;
+      }
+      const Vec at = job.positions[stuck].contact[side];
+      if (job.positions.size() <= std::max<std::size_t>(fewest, 4)) return refusal(Status::no_rolling_ball, at);
+      job.positions.erase(job.positions.begin() + static_cast<std::ptrdiff_t>(stuck));
+      side = 0;  // the rims share their positions
+    }
     return {};
   }
 
@@ -209,9 +248,17 @@ class Engine {
   Diagnosis escalate(std::size_t blame, const Diagnosis& diagnosis) {
     Job& job = jobs_[blame];
     if (!job.first_failure) job.first_failure = diagnosis;
+    if (getenv("DBG")) fprintf(stderr, "blame %zu level %zu %s\n", blame, job.level, message(diagnosis).c_str());
     job.rolled = false;
-    if (++job.level == smoothings.size()) job.report.diagnosis = *job.first_failure;
+    if (++job.level == smoothings.size()) refuse(job);
     return first_refusal();
+  }
+
+  /// The first failure is the one to tell: later ones come of ever cruder views. Failing at a corner has its own name.
+  void refuse(Job& job) {
+    job.level = 0;
+    const auto corner = find_corner(job);
+    job.report.diagnosis = corner ? refusal(Status::corner, *corner) : *job.first_failure;
   }
 
   /// `ok` as long as something can be written: all blends, or some of them if that is wanted.

@@ -14,7 +14,7 @@
 #include <vector>
 
 // Own readers rather than CGAL's (5.5.1): those take cut-off files and indices out of range for good in places, cannot
-// tell a coordinate that is not finite from the end of the file, and need three to ten times as long.
+// tell a coordinate that is not finite from the end of the file, and need two to five times as long.
 
 namespace cgal_blend::internal {
 
@@ -35,7 +35,8 @@ struct Malformed_file : std::runtime_error {
 /// Walks over text token by token. Knows its line for error messages, and '#' comments.
 class Text_cursor {
  public:
-  explicit Text_cursor(std::string_view text) : position_(text.data()), end_(text.data() + text.size()) {}
+  explicit Text_cursor(std::string_view text, std::size_t first_line = 1)
+      : position_(text.data()), end_(text.data() + text.size()), line_(first_line) {}
 
   /// Next token, over line ends; throws at the end of the text.
   std::string_view token();
@@ -60,7 +61,7 @@ class Text_cursor {
 
   const char* position_;
   const char* end_;
-  std::size_t line_ = 1;
+  std::size_t line_;
 };
 
 [[nodiscard]] Polygon_soup read_off(std::string_view text);

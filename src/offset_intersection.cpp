@@ -59,6 +59,7 @@ struct Enough : std::exception {};
 struct Recorder : PMP::Corefinement::Default_visitor<Blend_mesh> {
   const Blend_mesh* first;
   std::vector<Node>* nodes;
+  int* passes;  // edges of the first mesh with faces of the second, then the other way round
 
   static std::vector<Face> around(Halfedge h, const Blend_mesh& mesh) {
     std::vector<Face> faces;
@@ -107,7 +108,9 @@ struct Recorder : PMP::Corefinement::Default_visitor<Blend_mesh> {
     (*nodes)[id] = std::move(node);
   }
 
-  void end_handling_edge_face_intersections() const { throw Enough(); }
+  void end_handling_edge_face_intersections() const {
+    if (++*passes == 2) throw Enough();
+  }
 };
 
 std::vector<Node> intersection_nodes(Offset_mesh& first, Offset_mesh& second) {
@@ -115,6 +118,8 @@ std::vector<Node> intersection_nodes(Offset_mesh& first, Offset_mesh& second) {
   Recorder recorder;
   recorder.first = &first.mesh;
   recorder.nodes = &nodes;
+  int passes = 0;
+  recorder.passes = &passes;
   try {
     PMP::corefine(first.mesh, second.mesh, CGAL::parameters::visitor(recorder));
   } catch (const std::exception&) {  // `Enough`, or degenerate offsets: the points found so far are a guess still

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_formats.h"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 
@@ -73,13 +74,13 @@ bool host_is_little_endian() {
 /// Values of the body one after another, whether text or binary; a double holds all of them exactly.
 class Values {
  public:
-  Values(std::string_view body, std::string_view format)
-      : text_(body), bytes_(body), ascii_(format == "ascii"), swap_((format == "binary_big_endian") == host_is_little_endian()) {}
+  Values(std::string_view body, std::string_view format, std::size_t first_line)
+      : text_(body, first_line), bytes_(body), ascii_(format == "ascii"), swap_((format == "binary_big_endian") == host_is_little_endian()) {}
 
   double next(Type type) {
     if (ascii_) return text_.number();
     const std::size_t size = byte_size(type);
-    if (bytes_.size() < size) throw Malformed_file("the file ends too early");
+    if (bytes_.size() < size) fail("the file ends too early");
     char buffer[8];
     for (std::size_t i = 0; i < size; ++i) buffer[i] = bytes_[swap_ ? size - 1 - i : i];
     bytes_.remove_prefix(size);
@@ -88,12 +89,17 @@ class Values {
 
   std::uint32_t index(Type type, std::size_t limit, const char* what) {
     const double value = next(type);
-    if (!(value >= 0 && value < static_cast<double>(limit)) || value != static_cast<std::uint32_t>(value))
-      throw Malformed_file(std::string("a face has a wrong ") + what);
+    if (!(value >= 0 && value < static_cast<double>(limit) && value < 4e9) || value != static_cast<std::uint32_t>(value))
+      fail(std::string("a face has a wrong ") + what);
     return static_cast<std::uint32_t>(value);
   }
 
   [[nodiscard]] std::size_t size() const { return bytes_.size(); }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    if (ascii_) text_.fail(what);
+    throw Malformed_file(what);
+  }
 
  private:
   Text_cursor text_;
@@ -166,7 +172,7 @@ void read_face(Values& in, const Element& element, std::size_t vertices, Polygon
     else if (p.name != "vertex_indices" && p.name != "vertex_index") read_list(in, p, [&] { in.next(p.type); });
     else read_list(in, p, [&] { soup.corners.push_back(in.index(p.type, vertices, "vertex index")); });
   }
-  if (soup.corners.size() < begin + 3) throw Malformed_file("a face has less than three corners");
+  if (soup.corners.size() < begin + 3) in.fail("a face has less than three corners");
   soup.end_polygon();
 }
 
@@ -185,10 +191,21 @@ std::size_t find_body(std::string_view bytes) {
   return at + 1;
 }
 
-std::size_t count_of(const Header& header, std::string_view name) {
-  for (const Element& element : header.elements)
-    if (element.name == name) return element.count;
-  return 0;
+bool has_coordinates(const Element& element) {
+  bool found[3] = {false, false, false};
+  for (const Property& p : element.properties)
+    if (!p.size_type && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z') found[p.name[0] - 'x'] = true;
+  return found[0] && found[1] && found[2];
+}
+
+/// Number of vertices; their element must be there once, with coordinates.
+std::size_t count_vertices(const Header& header) {
+  const auto is_vertex = [](const Element& element) { return element.name == "vertex"; };
+  const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), is_vertex);
+  if (vertex == header.elements.end() || !has_coordinates(*vertex)) throw Malformed_file("there are no vertices with x, y and z");
+  if (std::count_if(header.elements.begin(), header.elements.end(), is_vertex) > 1)
+    throw Malformed_file("the vertices are there twice");
+  return vertex->count;
 }
 
 }  // namespace
@@ -196,12 +213,14 @@ std::size_t count_of(const Header& header, std::string_view name) {
 Polygon_soup read_ply(std::string_view bytes) {
   const std::size_t body = find_body(bytes);
   const Header header = read_header(bytes.substr(0, body));
-  Values in(bytes.substr(body), header.format);
-  const std::size_t vertices = count_of(header, "vertex");
+  const auto first_line = 1 + static_cast<std::size_t>(std::count(bytes.begin(), bytes.begin() + body, '\n'));
+  Values in(bytes.substr(body), header.format, first_line);
+  const std::size_t vertices = count_vertices(header);
   Polygon_soup soup;
   for (const Element& element : header.elements) {
-    if (element.count > in.size() && !element.properties.empty()) throw Malformed_file("the file ends too early");
-    for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+    if (element.properties.empty()) continue;  // nothing is stored for it
+    if (element.count > in.size()) in.fail("the file ends too early");
+    for (std::size_t i = 0; i < element.count; ++i) {
       if (element.name == "vertex") read_vertex(in, element, soup);
       else if (element.name == "face") read_face(in, element, vertices, soup);
       else skip_element(in, element);

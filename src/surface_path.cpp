@@ -156,14 +156,14 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
 }  // namespace
 
 std::optional<Surface_path> closed_path(const Base_surface& surface, const std::vector<Surface_point>& points,
-                                        double snap, Vec& stuck) {
+                                        double snap, std::size_t& stuck) {
   const Path_builder builder(surface, snap);
   std::vector<Draft> drafts;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Surface_point& next = points[(i + 1) % points.size()];
     drafts.push_back({{Station::Kind::face, points[i].face, Halfedge(), Vertex(), surface.position(points[i])}, i});
     if (!builder.trace(points[i], next, drafts)) {
-      stuck = surface.position(points[i]);
+      stuck = (i + 1) % points.size();
       return std::nullopt;
     }
   }

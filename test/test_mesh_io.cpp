@@ -321,6 +321,8 @@ TEST_F(Mesh_io, Refuses_malformed_files) {
   EXPECT_REFUSED(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -1 -2\n"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(file("t.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1\n"), Kind::unreadable, Status::ok);
+  EXPECT_REFUSED(file("t.ply", "ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nproperty list uchar int vertex_index\n"
+                               "end_header\n3 0 1 2\n"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(file("t.ply", "ply\nformat middle_endian 1.0\nelement vertex 0\nend_header\n"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(file("t.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n"),
                  Kind::unreadable, Status::ok);

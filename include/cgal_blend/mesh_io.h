@@ -10,7 +10,7 @@
 
 namespace cgal_blend {
 
-/// Thrown when a file cannot be read or written, or what it holds is no acceptable mesh.
+/// Thrown when a file cannot be read or written, or what it holds is no acceptable mesh. `what()` is one line for users.
 class Mesh_io_error : public std::runtime_error {
  public:
   enum class Kind { unreadable, unwritable, unknown_format, bad_mesh };
@@ -22,14 +22,18 @@ class Mesh_io_error : public std::runtime_error {
 
 /// Reads an OFF, OBJ, PLY or STL file (text or binary, by extension).
 ///
-/// Polygons are triangulated. Vertices of formats without shared vertices (STL) are merged where their positions are
-/// equal bit by bit; vertices and faces of the others keep the order of the file, vertex i being vertex i of the file.
-/// Throws `Mesh_io_error`: unreadable (missing, truncated, malformed), unknown_format, bad_mesh (empty, not finite,
-/// non-manifold, inconsistently oriented: what a halfedge structure cannot hold).
+/// Vertices and faces keep the order of the file, vertex i being vertex i of the file; vertices without faces stay.
+/// Polygons are triangulated in place. Formats without shared vertices (STL) have corners at equal positions merged,
+/// in the order in which they first appear, and facets dropped that shrink to a segment or a point by that.
+/// An open or inside-out mesh is read; `validate` names it.
+/// Throws `Mesh_io_error`: unreadable (missing, cut off, malformed), unknown_format, bad_mesh (empty, not finite,
+/// non-manifold, inconsistently oriented, a face that names a vertex twice: what a halfedge structure cannot hold).
 [[nodiscard]] Blend_mesh read_mesh(const std::string& path);
 
-/// Writes a mesh with 17 significant digits (STL: binary single precision), format by extension. Vertices and faces are
-/// written in index order, removed ones skipped. The file appears whole or not at all: it is written beside `path` and renamed.
+/// Writes a mesh, format by extension. Text formats get the shortest decimals that read back to the same doubles, PLY is
+/// binary with doubles, STL is binary and so rounded to single precision: where that would turn a valid mesh into an
+/// invalid one it is refused as unwritable. Vertices and faces are written in index order, removed ones skipped.
+/// The file appears whole or not at all: it is written beside `path` and renamed.
 /// Throws `Mesh_io_error` (unwritable, unknown_format); an existing file is then untouched.
 void write_mesh(const std::string& path, const Blend_mesh& mesh);
 

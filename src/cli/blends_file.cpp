@@ -57,14 +57,14 @@ Blend_request read_request(const Json& json, const std::string& where) {
 
 std::vector<Blend_request> read_blends(const std::string& path) {
   std::ifstream in(path);
-  if (!in) malformed(quoted(path), "cannot be opened");
+  if (!in) malformed(in_quotes(path), "cannot be opened");
   const Json json = Json::parse(in, nullptr, false);
-  if (json.is_discarded()) malformed(quoted(path), "is not JSON");
+  if (json.is_discarded()) malformed(in_quotes(path), "is not JSON");
   if (!json.is_object() || !json.contains("blends") || !json["blends"].is_array())
-    malformed(quoted(path), "must be an object with a list 'blends'");
+    malformed(in_quotes(path), "must be an object with a list 'blends'");
   std::vector<Blend_request> requests;
   for (const Json& item : json["blends"])
-    requests.push_back(read_request(item, quoted(path) + ", blend " + std::to_string(requests.size() + 1)));
+    requests.push_back(read_request(item, in_quotes(path) + ", blend " + std::to_string(requests.size() + 1)));
   return requests;
 }
 

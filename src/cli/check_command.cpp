@@ -52,7 +52,7 @@ void check(const Check_options& options, Report& report) {
   // The mesh that was looked at stands where other commands report the mesh that they wrote: one format for all.
   report.output = validity_json(options.input, validity);
   if (options.output.summary()) print(validity, options.input);
-  if (!validity.ok()) throw Failure(validity.diagnosis, quoted(options.input));
+  if (!validity.ok()) throw Failure(validity.diagnosis, in_quotes(options.input));
 }
 
 }  // namespace

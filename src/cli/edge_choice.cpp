@@ -35,7 +35,7 @@ std::vector<Edge> edges_along(const Blend_mesh& mesh, const std::vector<std::siz
 std::vector<Edge> selected_edges(const Blend_mesh& mesh, const std::string& path) {
   std::vector<Edge> found;
   for (const auto& [from, to] : read_selection(path).edges) {
-    const std::string where = quoted(path) + ", edge " + std::to_string(from) + " " + std::to_string(to);
+    const std::string where = in_quotes(path) + ", edge " + std::to_string(from) + " " + std::to_string(to);
     found.push_back(edges_along(mesh, {from, to}, where).front());
   }
   return found;
@@ -46,7 +46,7 @@ std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const std::vecto
   std::vector<Edge_blend> blends;
   std::optional<Vertex_locator<Blend_mesh>> locate;
   for (const Blend_request& request : requests) {
-    const std::string where = quoted(path) + ", blend " + std::to_string(blends.size() + 1);
+    const std::string where = in_quotes(path) + ", blend " + std::to_string(blends.size() + 1);
     if (request.points.empty()) {
       blends.push_back({edges_along(mesh, request.vertices, where), request.radius});
       continue;
@@ -69,7 +69,7 @@ void Edge_choice::require_one() const {
 std::vector<Edge_blend> chosen_edges(const Edge_choice& choice, const std::vector<Blend_request>& requests,
                                      const Blend_mesh& mesh) {
   if (!choice.blends_file.empty()) {
-    if (requests.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}}, quoted(choice.blends_file));
+    if (requests.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}}, in_quotes(choice.blends_file));
     return requested_edges(mesh, requests, choice.blends_file);
   }
   const std::vector<Edge> edges =

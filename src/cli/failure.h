@@ -13,7 +13,7 @@ namespace cgal_blend::cli {
 enum class Exit { ok = 0, usage = 2, input = 3, blend = 4, result = 5 };
 
 /// A file name as messages show it.
-inline std::string quoted(const std::string& path) { return "\"" + path + "\""; }
+inline std::string in_quotes(const std::string& path) { return "\"" + path + "\""; }
 
 /// Ends a command: exit status, identifier for the report, and the line for the user.
 struct Failure : std::runtime_error {

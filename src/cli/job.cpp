@@ -80,7 +80,7 @@ int run_job(const std::string& command, const Output_options& output, const std:
     report.message = one_line(failure->what());
   }
   if (!report_path.empty() && !write_report(report, report_path) && !failure)
-    failure = Failure(Exit::usage, "output_unwritable", "cannot write the report " + quoted(report_path));
+    failure = Failure(Exit::usage, "output_unwritable", "cannot write the report " + in_quotes(report_path));
   if (!failure) return 0;
   std::cerr << "cgal-blend: " << one_line(failure->what()) << std::endl;
   return static_cast<int>(failure->exit);
@@ -96,7 +96,7 @@ Blend_mesh read_operand(const std::string& path, Json& entry, Report& report, co
   entry = input_json(path, mesh);
   const Timer timer(report.check_input);
   const Validity_report validity = validate(mesh);
-  if (!validity.ok()) throw Failure(validity.diagnosis, quoted(path));
+  if (!validity.ok()) throw Failure(validity.diagnosis, in_quotes(path));
   return mesh;
 }
 

@@ -20,7 +20,7 @@ void require_mesh_extension(const std::string& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
   const std::vector<std::string> known{".off", ".obj", ".ply", ".stl"};
   if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw usage_failure("cannot write " + quoted(path) + ": unknown mesh format; the name must end in .off, .obj, .ply or .stl");
+    throw usage_failure("cannot write " + in_quotes(path) + ": unknown mesh format; the name must end in .off, .obj, .ply or .stl");
 }
 
 // Not even the superuser, who may write everything, replaces a file that was protected on purpose.
@@ -34,7 +34,7 @@ bool is_write_protected(const std::string& path) {
 void require_writable(const std::string& path) {
   std::error_code ignored;
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
-  const std::string prefix = "cannot write " + quoted(path) + ": ";
+  const std::string prefix = "cannot write " + in_quotes(path) + ": ";
   if (!fs::is_directory(folder, ignored)) throw usage_failure(prefix + "the folder does not exist");
   if (fs::is_directory(path, ignored)) throw usage_failure(prefix + "it is a folder");
   if (::access(folder.c_str(), W_OK) != 0) throw usage_failure(prefix + "no permission to write in the folder");
@@ -54,7 +54,7 @@ void check_report_path(const Output_options& output, const std::vector<std::stri
   std::vector<std::string> meshes = inputs;
   meshes.push_back(output.mesh);
   for (const std::string& mesh : meshes)
-    if (!mesh.empty() && same_file(output.report, mesh)) throw usage_failure("--report would replace the mesh " + quoted(mesh));
+    if (!mesh.empty() && same_file(output.report, mesh)) throw usage_failure("--report would replace the mesh " + in_quotes(mesh));
 }
 
 void check_mesh_path(const Output_options& output) {
