@@ -6,7 +6,8 @@ namespace cgal_blend::internal {
 namespace {
 
 /// Makes an edge per pair of corners, in the order of the first; returns the halfedge of every corner.
-std::vector<Halfedge> add_edges(Blend_mesh& mesh, const std::vector<Triangle>& triangles, const Triangle_topology& topology) {
+std::vector<Halfedge> add_edges(Blend_mesh& mesh, const std::vector<Triangle>& triangles,
+                                const Triangle_topology& topology) {
   std::vector<Halfedge> halfedges(3 * triangles.size());
   for (std::uint32_t c = 0; c < halfedges.size(); ++c) {
     const std::uint32_t twin = topology.twin[c];
@@ -36,9 +37,11 @@ void link_border(Blend_mesh& mesh, const std::vector<Halfedge>& halfedges, const
 
 }  // namespace
 
-Blend_mesh assemble(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles, const Triangle_topology& topology) {
+Blend_mesh assemble(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles,
+                    const Triangle_topology& topology) {
   Blend_mesh mesh;
-  mesh.reserve(static_cast<Blend_mesh::size_type>(points.size()), static_cast<Blend_mesh::size_type>(3 * triangles.size() / 2),
+  mesh.reserve(static_cast<Blend_mesh::size_type>(points.size()),
+               static_cast<Blend_mesh::size_type>(3 * triangles.size() / 2),
                static_cast<Blend_mesh::size_type>(triangles.size()));
   for (const Point_3& p : points) mesh.add_vertex(p);
   const std::vector<Halfedge> halfedges = add_edges(mesh, triangles, topology);

@@ -22,8 +22,10 @@ class Disjoint_sets {
   void join(std::uint32_t i, std::uint32_t j) {
     i = root(i);
     j = root(j);
-    if (i < j) parent_[j] = i;
-    else parent_[i] = j;
+    if (i < j)
+      parent_[j] = i;
+    else
+      parent_[i] = j;
   }
 
  private:

@@ -22,7 +22,9 @@ Corners corners(const Blend_mesh& mesh, Face f) {
   return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
 }
 
-Triangle_3 triangle(const Blend_mesh& mesh, const Corners& c) { return {mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])}; }
+Triangle_3 triangle(const Blend_mesh& mesh, const Corners& c) {
+  return {mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])};
+}
 
 /// Turns the corners of both so that shared ones come first, in the same order; returns how many are shared.
 int align_shared(Corners& a, Corners& b) {
@@ -67,9 +69,11 @@ void sort_unique(std::vector<Face_pair>& pairs) {
 
 std::vector<Face_pair> intersecting_pairs(const Blend_mesh& mesh) {
   std::vector<Face_pair> found;
-  CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(mesh.faces(), mesh, std::back_inserter(found));
+  CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(mesh.faces(), mesh,
+                                                                          std::back_inserter(found));
   // CGAL reports a degenerate face as a pair with itself.
-  found.erase(std::remove_if(found.begin(), found.end(), [](const Face_pair& p) { return p.first == p.second; }), found.end());
+  found.erase(std::remove_if(found.begin(), found.end(), [](const Face_pair& p) { return p.first == p.second; }),
+              found.end());
   for (Face_pair& pair : found) pair = ordered(pair.first, pair.second);
   sort_unique(found);
   return found;
@@ -92,8 +96,7 @@ class Cell_marks {
       const double width = extent_.max(k) - extent_.min(k);
       scale_[k] = width > 0 ? cells / width : 0;
     }
-    for (const CGAL::Bbox_3& box : boxes)
-      each_corner(box, [&](std::size_t at, int sign) { sums_[at] += sign; });
+    for (const CGAL::Bbox_3& box : boxes) each_corner(box, [&](std::size_t at, int sign) { sums_[at] += sign; });
     sum_up();  // now the number of boxes per cell
     for (std::int32_t& sum : sums_) sum = sum > 0;
     shift();
@@ -108,7 +111,9 @@ class Cell_marks {
   }
 
  private:
-  [[nodiscard]] std::size_t index(int x, int y, int z) const { return (static_cast<std::size_t>(z) * size_ + y) * size_ + x; }
+  [[nodiscard]] std::size_t index(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * size_ + y) * size_ + x;
+  }
 
   [[nodiscard]] int cell(double x, int axis) const {
     return static_cast<int>(std::clamp((x - extent_.min(axis)) * scale_[axis], 0.0, cells_ - 1.0));
@@ -178,14 +183,16 @@ Near_faces find_near_faces(const Blend_mesh& mesh, const Face_table& table, cons
   for (std::size_t i = 0; i < table.faces.size(); ++i) {
     if (is_changed[table.faces[i]]) continue;
     const CGAL::Bbox_3 box = bbox(mesh, table.triangles[i]);
-    if (marks.meets(box) && !is_degenerate(mesh, corners(mesh, table.faces[i]))) near.kept.emplace_back(box, table.faces[i]);
+    if (marks.meets(box) && !is_degenerate(mesh, corners(mesh, table.faces[i])))
+      near.kept.emplace_back(box, table.faces[i]);
   }
   return near;
 }
 
 }  // namespace
 
-std::vector<Face_pair> intersecting_pairs(const Blend_mesh& mesh, const Face_table& table, const std::vector<Face>& changed) {
+std::vector<Face_pair> intersecting_pairs(const Blend_mesh& mesh, const Face_table& table,
+                                          const std::vector<Face>& changed) {
   std::vector<char> is_changed(mesh.num_faces(), 0);
   for (const Face f : changed) is_changed[f] = 1;
   const Near_faces near = find_near_faces(mesh, table, is_changed);
@@ -203,7 +210,7 @@ std::vector<Face_pair> intersecting_pairs(const Blend_mesh& mesh, const Face_tab
 
 namespace {
 
-/// Where a segment that meets the triangle passes through its plane; for coplanar ones some point of the overlap's hull.
+/// Where a segment that meets the triangle passes through its plane; for coplanar ones some point of the segment.
 Point_3 crossing(const Triangle_3& t, const Segment_3& side) {
   const Vector_3 normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
   const double from = normal * (side.source() - t[0]), to = normal * (side.target() - t[0]);

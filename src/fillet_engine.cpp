@@ -295,7 +295,7 @@ class Engine {
     Trimming trimming = trim(work, body_.cells, rims, curves);
     if (!trimming.diagnosis.ok()) {
       result.diagnosis = trimming.diagnosis;
-      result.blame = trimming.blend;
+      result.blame = nearest_job(to_vec(*trimming.diagnosis.point));
       return result;
     }
     std::vector<Triangle> triangles = std::move(trimming.remnants);

@@ -44,7 +44,8 @@ using Face_pair = std::pair<Face, Face>;  ///< the smaller index first
 
 /// Returns a component that points the wrong way: outwards where it bounds a cavity, or inwards where it bounds the
 /// body; `count` if none does. Components must not meet.
-[[nodiscard]] std::size_t misoriented_component(const Blend_mesh& mesh, const Face_table& table, const Components& components);
+[[nodiscard]] std::size_t misoriented_component(const Blend_mesh& mesh, const Face_table& table,
+                                                const Components& components);
 
 }  // namespace cgal_blend::internal
 

@@ -3,7 +3,7 @@
 #include <cgal_blend/validate.h>
 
 #include "mesh_formats.h"
-#include "triangle_topology.h"
+#include "topology_defects.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -71,12 +71,15 @@ std::string read_bytes(const std::string& path) {
   return bytes;
 }
 
-[[noreturn]] void refuse(const std::string& path, Status status, std::string detail, std::optional<Point_3> point = {}) {
+[[noreturn]] void refuse(const std::string& path, const Diagnosis& diagnosis) {
+  throw Mesh_io_error(Kind::bad_mesh, "\"" + path + "\": " + message(diagnosis), diagnosis);
+}
+
+[[noreturn]] void refuse(const std::string& path, Status status, std::string detail) {
   Diagnosis diagnosis;
   diagnosis.status = status;
   diagnosis.detail = std::move(detail);
-  diagnosis.point = point;
-  throw Mesh_io_error(Kind::bad_mesh, "\"" + path + "\": " + message(diagnosis), diagnosis);
+  refuse(path, diagnosis);
 }
 
 bool is_finite(const Point_3& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
@@ -84,28 +87,6 @@ bool is_finite(const Point_3& p) { return std::isfinite(p.x()) && std::isfinite(
 void refuse_unless_finite(const std::string& path, const std::vector<Point_3>& points) {
   const auto bad = std::find_if_not(points.begin(), points.end(), is_finite);
   if (bad != points.end()) refuse(path, Status::input_not_finite, "vertex " + std::to_string(bad - points.begin()));
-}
-
-/// Refuses what a halfedge structure cannot hold, naming the first place.
-void refuse_unless_manifold(const std::string& path, const std::vector<Point_3>& points, const std::vector<Triangle>& triangles,
-                            const Triangle_topology& t) {
-  const auto text = [](std::uint32_t i) { return std::to_string(i); };
-  const auto edge = [&](std::uint32_t corner, Status status, const std::string& what) {
-    const std::uint32_t u = triangles[corner / 3][corner % 3];
-    const std::uint32_t next = internal::next_corner(corner);
-    const std::uint32_t v = triangles[next / 3][next % 3];
-    refuse(path, status, "edge between vertices " + text(u) + " and " + text(v) + what, CGAL::midpoint(points[u], points[v]));
-  };
-  if (t.repeated_corner) {
-    const Triangle& v = triangles[*t.repeated_corner];
-    const std::uint32_t twice = v[0] == v[1] || v[0] == v[2] ? v[0] : v[1];
-    refuse(path, Status::input_degenerate, "a face names vertex " + text(twice) + " twice", points[twice]);
-  }
-  if (t.crowded_edge) edge(*t.crowded_edge, Status::input_not_manifold, " has more than two faces");
-  if (t.misoriented_edge)
-    edge(*t.misoriented_edge, Status::input_misoriented, " lies between faces that point to opposite sides");
-  if (t.crowded_vertex)
-    refuse(path, Status::input_not_manifold, "separate sheets meet in vertex " + text(*t.crowded_vertex), points[*t.crowded_vertex]);
 }
 
 std::vector<Triangle> triangulate(const Polygon_soup& soup) {
@@ -138,7 +119,9 @@ Blend_mesh read_mesh(const std::string& path) {
   if (soup.polygon_end.empty()) refuse(path, Status::input_empty, "");
   const std::vector<Triangle> triangles = triangulate(soup);
   const Triangle_topology topology = internal::analyze_topology(soup.points.size(), triangles);
-  refuse_unless_manifold(path, soup.points, triangles, topology);
+  const Diagnosis defect =
+      internal::manifold_defect(topology, triangles, [&](std::uint32_t v) { return soup.points[v]; });
+  if (!defect.ok()) refuse(path, defect);
   return internal::assemble(soup.points, triangles, topology);
 }
 
@@ -177,7 +160,8 @@ Blend_mesh rounded_to_single(const Blend_mesh& mesh) {
 void refuse_if_rounding_spoils(const std::string& path, const Blend_mesh& mesh) {
   const Validity_report rounded = validate(rounded_to_single(mesh));
   if (rounded.ok() || !validate(mesh).ok()) return;
-  throw Mesh_io_error(Kind::unwritable, "cannot write \"" + path + "\": STL rounds coordinates to seven digits, which would spoil " +
+  throw Mesh_io_error(Kind::unwritable, "cannot write \"" + path +
+                                            "\": STL rounds coordinates to seven digits, which would spoil " +
                                             "the mesh (" + message(rounded.diagnosis) + "); use .off, .obj or .ply");
 }
 

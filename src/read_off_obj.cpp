@@ -25,7 +25,8 @@ Polygon_soup read_off(std::string_view text) {
   const std::size_t faces = in.count();
   in.skip_line();
   // A vertex takes six characters at least and a face two: no memory for counts that the file cannot hold.
-  if (vertices > text.size() / 6 + 1 || faces > text.size() / 2) in.fail("the file is too short for the counts in its head");
+  if (vertices > text.size() / 6 + 1 || faces > text.size() / 2)
+    in.fail("the file is too short for the counts in its head");
 
   Polygon_soup soup;
   soup.points.reserve(vertices);
@@ -80,7 +81,8 @@ Polygon_soup read_obj(std::string_view text) {
   if (!soup.corners.empty()) {
     const std::uint32_t largest = *std::max_element(soup.corners.begin(), soup.corners.end());
     if (largest >= soup.points.size())
-      in.fail("a face names vertex " + std::to_string(largest + 1) + " of " + std::to_string(soup.points.size()) + " vertices");
+      in.fail("a face names vertex " + std::to_string(largest + 1) + " of " + std::to_string(soup.points.size()) +
+              " vertices");
   }
   return soup;
 }

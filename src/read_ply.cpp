@@ -24,10 +24,12 @@ struct Element {
 };
 
 Type parse_type(const Text_cursor& in, std::string_view name) {
-  static constexpr struct { const char* names[2]; Type type; } table[] = {
-      {{"char", "int8"}, Type::i8},    {{"uchar", "uint8"}, Type::u8},    {{"short", "int16"}, Type::i16},
-      {{"ushort", "uint16"}, Type::u16}, {{"int", "int32"}, Type::i32},    {{"uint", "uint32"}, Type::u32},
-      {{"float", "float32"}, Type::f32}, {{"double", "float64"}, Type::f64}};
+  static constexpr struct {
+    const char* names[2];
+    Type type;
+  } table[] = {{{"char", "int8"}, Type::i8},      {{"uchar", "uint8"}, Type::u8},    {{"short", "int16"}, Type::i16},
+               {{"ushort", "uint16"}, Type::u16}, {{"int", "int32"}, Type::i32},     {{"uint", "uint32"}, Type::u32},
+               {{"float", "float32"}, Type::f32}, {{"double", "float64"}, Type::f64}};
   for (const auto& row : table)
     if (name == row.names[0] || name == row.names[1]) return row.type;
   in.fail("unknown PLY type \"" + std::string(name.substr(0, 30)) + "\"");
@@ -35,9 +37,13 @@ Type parse_type(const Text_cursor& in, std::string_view name) {
 
 std::size_t byte_size(Type type) {
   switch (type) {
-    case Type::i8: case Type::u8: return 1;
-    case Type::i16: case Type::u16: return 2;
-    case Type::i32: case Type::u32: case Type::f32: return 4;
+    case Type::i8:
+    case Type::u8: return 1;
+    case Type::i16:
+    case Type::u16: return 2;
+    case Type::i32:
+    case Type::u32:
+    case Type::f32: return 4;
     case Type::f64: return 8;
   }
   return 0;
@@ -75,7 +81,10 @@ bool host_is_little_endian() {
 class Values {
  public:
   Values(std::string_view body, std::string_view format, std::size_t first_line)
-      : text_(body, first_line), bytes_(body), ascii_(format == "ascii"), swap_((format == "binary_big_endian") == host_is_little_endian()) {}
+      : text_(body, first_line),
+        bytes_(body),
+        ascii_(format == "ascii"),
+        swap_((format == "binary_big_endian") == host_is_little_endian()) {}
 
   double next(Type type) {
     if (ascii_) return text_.number();
@@ -89,7 +98,8 @@ class Values {
 
   std::uint32_t index(Type type, std::size_t limit, const char* what) {
     const double value = next(type);
-    if (!(value >= 0 && value < static_cast<double>(limit) && value < 4e9) || value != static_cast<std::uint32_t>(value))
+    if (!(value >= 0 && value < static_cast<double>(limit) && value < 4e9) ||
+        value != static_cast<std::uint32_t>(value))
       fail(std::string("a face has a wrong ") + what);
     return static_cast<std::uint32_t>(value);
   }
@@ -168,9 +178,12 @@ void read_vertex(Values& in, const Element& element, Polygon_soup& soup) {
 void read_face(Values& in, const Element& element, std::size_t vertices, Polygon_soup& soup) {
   const std::size_t begin = soup.corners.size();
   for (const Property& p : element.properties) {
-    if (!p.size_type) in.next(p.type);
-    else if (p.name != "vertex_indices" && p.name != "vertex_index") read_list(in, p, [&] { in.next(p.type); });
-    else read_list(in, p, [&] { soup.corners.push_back(in.index(p.type, vertices, "vertex index")); });
+    if (!p.size_type)
+      in.next(p.type);
+    else if (p.name != "vertex_indices" && p.name != "vertex_index")
+      read_list(in, p, [&] { in.next(p.type); });
+    else
+      read_list(in, p, [&] { soup.corners.push_back(in.index(p.type, vertices, "vertex index")); });
   }
   if (soup.corners.size() < begin + 3) in.fail("a face has less than three corners");
   soup.end_polygon();
@@ -178,8 +191,10 @@ void read_face(Values& in, const Element& element, std::size_t vertices, Polygon
 
 void skip_element(Values& in, const Element& element) {
   for (const Property& p : element.properties) {
-    if (p.size_type) read_list(in, p, [&] { in.next(p.type); });
-    else in.next(p.type);
+    if (p.size_type)
+      read_list(in, p, [&] { in.next(p.type); });
+    else
+      in.next(p.type);
   }
 }
 
@@ -202,7 +217,8 @@ bool has_coordinates(const Element& element) {
 std::size_t count_vertices(const Header& header) {
   const auto is_vertex = [](const Element& element) { return element.name == "vertex"; };
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), is_vertex);
-  if (vertex == header.elements.end() || !has_coordinates(*vertex)) throw Malformed_file("there are no vertices with x, y and z");
+  if (vertex == header.elements.end() || !has_coordinates(*vertex))
+    throw Malformed_file("there are no vertices with x, y and z");
   if (std::count_if(header.elements.begin(), header.elements.end(), is_vertex) > 1)
     throw Malformed_file("the vertices are there twice");
   return vertex->count;
@@ -221,9 +237,12 @@ Polygon_soup read_ply(std::string_view bytes) {
     if (element.properties.empty()) continue;  // nothing is stored for it
     if (element.count > in.size()) in.fail("the file ends too early");
     for (std::size_t i = 0; i < element.count; ++i) {
-      if (element.name == "vertex") read_vertex(in, element, soup);
-      else if (element.name == "face") read_face(in, element, vertices, soup);
-      else skip_element(in, element);
+      if (element.name == "vertex")
+        read_vertex(in, element, soup);
+      else if (element.name == "face")
+        read_face(in, element, vertices, soup);
+      else
+        skip_element(in, element);
     }
   }
   return soup;

@@ -78,7 +78,8 @@ Polygon_soup read_binary(std::string_view bytes) {
   Merger merger(facets);
   for (std::size_t f = 0; f < facets; ++f) {
     const char* corner = bytes.data() + header_size + f * facet_size + 12;
-    for (int i = 0; i < 3; ++i, corner += 12) merger.add_corner(load_float(corner), load_float(corner + 4), load_float(corner + 8));
+    for (int i = 0; i < 3; ++i, corner += 12)
+      merger.add_corner(load_float(corner), load_float(corner + 4), load_float(corner + 8));
     merger.end_facet();
   }
   return merger.take();
@@ -118,7 +119,8 @@ bool begins_with_solid(std::string_view bytes) {
 
 Polygon_soup read_stl(std::string_view bytes) {
   // Binary files may begin with "solid" too; their length then gives them away.
-  const bool length_fits = bytes.size() >= header_size && bytes.size() == header_size + facet_size * binary_facets(bytes);
+  const bool length_fits =
+      bytes.size() >= header_size && bytes.size() == header_size + facet_size * binary_facets(bytes);
   return length_fits || !begins_with_solid(bytes) ? read_binary(bytes) : read_ascii(bytes);
 }
 

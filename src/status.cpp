@@ -26,45 +26,57 @@ Wording wording(Status status) noexcept {
     case S::cancelled: return {"cancelled", "The operation was cancelled", C::blend};
 
     case S::input_empty: return {"input_empty", "The mesh has no faces", C::input};
-    case S::input_not_finite: return {"input_not_finite", "The mesh has a coordinate that is not a finite number", C::input};
+    case S::input_not_finite:
+      return {"input_not_finite", "The mesh has a coordinate that is not a finite number", C::input};
     case S::input_not_manifold:
-      return {"input_not_manifold", "The mesh is not a surface everywhere: parts of it only touch along an edge or in a vertex", C::input};
-    case S::input_not_closed: return {"input_not_closed", "The mesh is not closed: it has a hole or an open edge", C::input};
+      return {"input_not_manifold",
+              "The mesh is not a surface everywhere: parts of it only touch along an edge or in a vertex", C::input};
+    case S::input_not_closed:
+      return {"input_not_closed", "The mesh is not closed: it has a hole or an open edge", C::input};
     case S::input_misoriented:
       return {"input_misoriented", "The faces of the mesh do not all point outwards", C::input};
     case S::input_degenerate:
       return {"input_degenerate", "The mesh has a face without area or an edge of almost no length", C::input};
     case S::input_self_intersecting: return {"input_self_intersecting", "The mesh cuts through itself", C::input};
 
-    case S::operands_disjoint: return {"operands_disjoint", "The two bodies do not meet, so there is no curve to blend", C::blend};
+    case S::operands_disjoint:
+      return {"operands_disjoint", "The two bodies do not meet, so there is no curve to blend", C::blend};
     case S::operands_touch:
-      return {"operands_touch", "The two bodies only touch, in a point or along a curve, so the result would not be a solid", C::blend};
+      return {"operands_touch",
+              "The two bodies only touch, in a point or along a curve, so the result would not be a solid", C::blend};
     case S::operands_coplanar:
-      return {"operands_coplanar", "The two bodies share part of a face, so their intersection is not a curve there", C::blend};
+      return {"operands_coplanar", "The two bodies share part of a face, so their intersection is not a curve there",
+              C::blend};
     case S::operands_identical: return {"operands_identical", "The two bodies are the same", C::blend};
-    case S::boolean_failed: return {"boolean_failed", "The boolean of the two bodies could not be computed reliably", C::blend};
+    case S::boolean_failed:
+      return {"boolean_failed", "The boolean of the two bodies could not be computed reliably", C::blend};
     case S::empty_result: return {"empty_result", "Nothing is left: the result of the operation is empty", C::blend};
 
     case S::no_such_edge: return {"no_such_edge", "The mesh has no such edge", C::blend};
     case S::no_edges_selected: return {"no_edges_selected", "No edge to blend was found", C::blend};
     case S::open_branch:
-      return {"open_branch", "The curve to blend ends where the blend cannot run out; select its continuation too", C::blend};
+      return {"open_branch", "The curve to blend ends where the blend cannot run out; select its continuation too",
+              C::blend};
     case S::corner: return {"corner", "Blends meet in a corner of a kind that is not supported", C::blend};
-    case S::edge_is_smooth: return {"edge_is_smooth", "The edge is smooth already: its faces hardly meet at an angle", C::blend};
+    case S::edge_is_smooth:
+      return {"edge_is_smooth", "The edge is smooth already: its faces hardly meet at an angle", C::blend};
     case S::mixed_convexity:
       return {"mixed_convexity", "The curve to blend is a ridge in one place and a groove in another", C::blend};
 
     case S::radius_exceeds_face:
-      return {"radius_exceeds_face", "The radius is too large: the ball rolls off one of the neighbouring surfaces", C::blend};
+      return {"radius_exceeds_face", "The radius is too large: the ball rolls off one of the neighbouring surfaces",
+              C::blend};
     case S::radius_exceeds_curvature:
-      return {"radius_exceeds_curvature", "The radius is too large for the curvature: the blend would fold over itself", C::blend};
+      return {"radius_exceeds_curvature", "The radius is too large for the curvature: the blend would fold over itself",
+              C::blend};
     case S::no_rolling_ball:
       return {"no_rolling_ball", "No ball of this radius touches both surfaces along the curve", C::blend};
     case S::blends_overlap: return {"blends_overlap", "Two blends run into each other", C::blend};
     case S::blend_collides: return {"blend_collides", "The blend runs into another part of the body", C::blend};
 
     case S::result_invalid:
-      return {"result_invalid", "The result failed the final check and was withheld; this is a defect of the program", C::result};
+      return {"result_invalid", "The result failed the final check and was withheld; this is a defect of the program",
+              C::result};
   }
   return {"unknown", "Unknown status", C::result};  // a value cast from outside the enumeration
 }

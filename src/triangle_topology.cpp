@@ -53,7 +53,8 @@ void count(std::size_t& number, std::optional<std::uint32_t>& first, std::uint32
 }
 
 /// Judges one edge by its uses [first, last), sorted by corner.
-void judge_edge(const std::vector<Triangle>& triangles, const Edge_use* first, const Edge_use* last, Triangle_topology& t) {
+void judge_edge(const std::vector<Triangle>& triangles, const Edge_use* first, const Edge_use* last,
+                Triangle_topology& t) {
   const std::uint32_t c = first->corner;
   if (last - first == 1) return count(t.border_edges, t.border_edge, c);
   if (last - first > 2) return count(t.crowded_edges, t.crowded_edge, c);

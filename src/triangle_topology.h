@@ -23,11 +23,11 @@ struct Triangle_topology {
   std::vector<std::uint32_t> twin;  ///< per corner: the corner of the opposite directed edge, or `none`
   std::size_t repeated_corners = 0, crowded_edges = 0, misoriented_edges = 0, border_edges = 0, crowded_vertices = 0;
 
-  std::optional<std::uint32_t> repeated_corner;  ///< face that names a vertex twice
-  std::optional<std::uint32_t> crowded_edge;     ///< corner of an edge with more than two faces
-  std::optional<std::uint32_t> misoriented_edge; ///< corner of an edge that both its faces run through the same way
-  std::optional<std::uint32_t> border_edge;      ///< corner of an edge with one face
-  std::optional<std::uint32_t> crowded_vertex;   ///< vertex at which separate fans of faces meet
+  std::optional<std::uint32_t> repeated_corner;   ///< face that names a vertex twice
+  std::optional<std::uint32_t> crowded_edge;      ///< corner of an edge with more than two faces
+  std::optional<std::uint32_t> misoriented_edge;  ///< corner of an edge that both its faces run through the same way
+  std::optional<std::uint32_t> border_edge;       ///< corner of an edge with one face
+  std::optional<std::uint32_t> crowded_vertex;    ///< vertex at which separate fans of faces meet
 
   /// True if a halfedge structure can hold the triangles; an open border is no obstacle.
   [[nodiscard]] bool manifold() const {
@@ -35,9 +35,9 @@ struct Triangle_topology {
   }
 };
 
-/// Analyzes triangles over the vertices 0 .. vertex_count-1. Fans at vertices are only looked at where all edges are good.
-/// \param judged if not empty: defects are only counted at vertices with a true entry and at their edges; the triangles must
-///        then include all that have such a vertex
+/// Analyzes triangles over the vertices 0 .. vertex_count-1. Fans are only looked at where all edges are good.
+/// \param judged if not empty: defects are only counted at vertices with a true entry and at their edges; the
+///        triangles must then include all that have such a vertex
 [[nodiscard]] Triangle_topology analyze_topology(std::size_t vertex_count, const std::vector<Triangle>& triangles,
                                                  const std::vector<char>& judged = {});
 

@@ -7,14 +7,16 @@ namespace cgal_blend::internal {
 
 namespace {
 
-void append_fan(const std::uint32_t* polygon, std::size_t size, std::size_t apex, std::vector<std::uint32_t>& triangles) {
+void append_fan(const std::uint32_t* polygon, std::size_t size, std::size_t apex,
+                std::vector<std::uint32_t>& triangles) {
   for (std::size_t i = 1; i + 1 < size; ++i)
     triangles.insert(triangles.end(), {polygon[apex], polygon[(apex + i) % size], polygon[(apex + i + 1) % size]});
 }
 
 /// True if the two triangles on the diagonal from corner `apex` of a quadrangle look the same way.
 bool splits_well(const std::vector<Point_3>& points, const std::uint32_t* quad, std::size_t apex) {
-  const Point_3 &a = points[quad[apex]], &b = points[quad[apex + 1]], &c = points[quad[apex + 2]], &d = points[quad[(apex + 3) % 4]];
+  const Point_3 &a = points[quad[apex]], &b = points[quad[apex + 1]], &c = points[quad[apex + 2]],
+                &d = points[quad[(apex + 3) % 4]];
   return CGAL::cross_product(b - a, c - a) * CGAL::cross_product(c - a, d - a) > 0;
 }
 

@@ -66,9 +66,8 @@ class Trimmer {
     return std::move(result_);
   }
 
-  bool refuse(Status status, const Vec& at, std::size_t blend) {
+  bool refuse(Status status, const Vec& at) {
     result_.diagnosis = refusal(status, at);
-    result_.blend = blend;
     return false;
   }
 
@@ -89,7 +88,7 @@ class Trimmer {
         work.segments.push_back(rim.keep_left ? step : Directed{step.second, step.first});
         found = true;
       }
-      if (!found) return refuse(Status::no_rolling_ball, a.point, rim.blend);
+      if (!found) return refuse(Status::no_rolling_ball, a.point);
     }
     for (std::size_t i = 0; i < n; ++i)
       for (const Face f : faces_at(base, rim.path.stations[i]))
@@ -131,7 +130,7 @@ class Trimmer {
         at = t;
       }
       if (nearest == Blend_mesh::null_halfedge() || at <= 0 || at >= 1)  // the contact is not on the solid
-        return refuse(Status::no_rolling_ball, s.point, rim.blend);
+        return refuse(Status::no_rolling_ball, s.point);
       on_edge_[nearest].insert({at, rim.vertices[i]});
     }
     return true;
@@ -162,7 +161,7 @@ class Trimmer {
     const std::vector<Directed> border = divided_boundary(cell);
     const std::vector<Face> parts = cells_.faces(cell);
     const Rim& rim = *work.rim;
-    if (parts.empty()) return refuse(Status::no_rolling_ball, mesh_point(work), rim.blend);
+    if (parts.empty()) return refuse(Status::no_rolling_ball, mesh_point(work));
     // The plane of the cell, oriented outward: that of the base face it is a part of.
     const Vec normal = rim.surface->frame(cells_.base_face(parts.front())).face_normal;
     const Cell_triangulation kept = triangulate_cell(mesh_, normal, border, work.segments, work.inner);
@@ -174,7 +173,7 @@ class Trimmer {
       return true;
     }
     const Vec at = to_vec(*kept.conflict);
-    return refuse(Status::blends_overlap, at, rim.blend);
+    return refuse(Status::blends_overlap, at);
   }
 
   [[nodiscard]] Vec mesh_point(const Work& work) const { return to_vec(mesh_.point(work.segments.front().first)); }
@@ -201,7 +200,7 @@ class Trimmer {
         if (!touched_.count(mesh_.face(o)))
           drop(mesh_.face(o));
         else if (kept_steps_.count({mesh_.source(o), mesh_.target(o)}))  // would leave a hole
-          return refuse(Status::blends_overlap, to_vec(mesh_.point(mesh_.source(h))), rims_.front().blend);
+          return refuse(Status::blends_overlap, to_vec(mesh_.point(mesh_.source(h))));
       }
     }
     return true;

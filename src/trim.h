@@ -26,8 +26,7 @@ struct Rim {
 
 /// What cutting along the rims takes from a mesh and gives back; the mesh itself is changed by `replace_faces`.
 struct Trimming {
-  Diagnosis diagnosis;
-  std::size_t blend = 0;                          ///< the blend that cannot be cut in, if the diagnosis is not `ok`
+  Diagnosis diagnosis;                            ///< located, if it is not `ok`
   std::vector<Face> removed;                      ///< cut faces and those between the rims
   std::vector<std::array<Vertex, 3>> remnants;    ///< triangles that remain of the cut faces
 };

@@ -2,9 +2,11 @@
 #include <cgal_blend/validate.h>
 
 #include "mesh_checks.h"
+#include "topology_defects.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace cgal_blend {
@@ -31,14 +33,15 @@ class Inspection {
   Validity_report changes(const std::vector<Face>& changed);
 
  private:
+  void note(const Diagnosis& diagnosis);
   void note(Status status, std::string detail, std::optional<Point_3> point = {});
   [[nodiscard]] const Point_3& point(std::uint32_t v) const { return mesh_.point(Vertex(v)); }
-  [[nodiscard]] Point_3 midpoint(std::uint32_t u, std::uint32_t v) const { return CGAL::midpoint(point(u), point(v)); }
 
   bool tabulate();
   bool check_finite(const Face_table& faces);
   void check_topology(const Face_table& faces, const Triangle_topology& t);
   void check_linkage(const Face_table& faces, const Triangle_topology& t);
+  [[nodiscard]] double diagonal() const;
   void check_size(const Face_table& faces);
   void check_intersections(const std::vector<Face_pair>& pairs);
   void check_orientation(const Components& components);
@@ -50,11 +53,16 @@ class Inspection {
   Validity_report report_;
 };
 
+void Inspection::note(const Diagnosis& diagnosis) {
+  if (report_.diagnosis.ok()) report_.diagnosis = diagnosis;
+}
+
 void Inspection::note(Status status, std::string detail, std::optional<Point_3> point) {
-  if (!report_.diagnosis.ok()) return;
-  report_.diagnosis.status = status;
-  report_.diagnosis.detail = std::move(detail);
-  report_.diagnosis.point = point;
+  Diagnosis diagnosis;
+  diagnosis.status = status;
+  diagnosis.detail = std::move(detail);
+  diagnosis.point = point;
+  note(diagnosis);
 }
 
 /// Fills the table of faces; false if there are none, or one is no triangle.
@@ -92,20 +100,9 @@ bool Inspection::check_finite(const Face_table& faces) {
 
 /// Judges the surface by vertex indices alone, as a reader of the written file would see it.
 void Inspection::check_topology(const Face_table& faces, const Triangle_topology& t) {
-  const auto edge = [&](std::uint32_t corner, Status status, const std::string& what) {
-    const std::uint32_t next = internal::next_corner(corner);
-    const std::uint32_t u = faces.triangles[corner / 3][corner % 3], v = faces.triangles[next / 3][next % 3];
-    note(status, "edge between vertices " + text(u) + " and " + text(v) + what, midpoint(u, v));
-  };
-  if (t.repeated_corner) {
-    const Triangle& v = faces.triangles[*t.repeated_corner];
-    note(Status::input_degenerate, "face " + text(faces.faces[*t.repeated_corner]) + " has a vertex twice", point(v[0]));
-  }
-  if (t.crowded_edge) edge(*t.crowded_edge, Status::input_not_manifold, " has more than two faces");
-  if (t.misoriented_edge) edge(*t.misoriented_edge, Status::input_misoriented, " lies between faces that point to opposite sides");
-  if (t.crowded_vertex)
-    note(Status::input_not_manifold, "separate sheets meet in vertex " + text(*t.crowded_vertex), point(*t.crowded_vertex));
-  if (t.border_edge) edge(*t.border_edge, Status::input_not_closed, " has a face on one side only");
+  const auto point_of = [this](std::uint32_t v) { return point(v); };
+  note(internal::manifold_defect(t, faces.triangles, point_of));
+  note(internal::closedness_defect(t, faces.triangles, point_of));
   report_.manifold = t.manifold();
   report_.closed = !t.border_edge && !t.repeated_corner;
   if (sound()) check_linkage(faces, t);
@@ -126,13 +123,17 @@ void Inspection::check_linkage(const Face_table& faces, const Triangle_topology&
   }
 }
 
-/// Faces without area, and edges without length beside the whole.
-void Inspection::check_size(const Face_table& faces) {
+double Inspection::diagonal() const {
   CGAL::Bbox_3 box;
   for (const Triangle& t : table_.triangles)
     for (const std::uint32_t v : t) box += point(v).bbox();
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-  const double shortest = shortest_edge_fraction * diagonal;
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+/// Faces without area, and edges without length beside the whole.
+void Inspection::check_size(const Face_table& faces) {
+  const double shortest = shortest_edge_fraction * diagonal();
+  std::set<std::pair<std::uint32_t, std::uint32_t>> short_edges;  // hardly ever holds anything
   for (std::size_t f = 0; f < faces.faces.size(); ++f) {
     const Triangle& t = faces.triangles[f];
     if (CGAL::collinear(point(t[0]), point(t[1]), point(t[2]))) {
@@ -140,12 +141,14 @@ void Inspection::check_size(const Face_table& faces) {
       note(Status::input_degenerate, "face " + text(faces.faces[f]) + " has no area", point(t[0]));
     }
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t u = t[i], v = t[(i + 1) % 3];
+      const auto [u, v] = std::minmax({t[i], t[(i + 1) % 3]});
       if (!(CGAL::squared_distance(point(u), point(v)) < shortest * shortest)) continue;
-      if (u < v || !sound()) ++report_.short_edges;  // each edge once, from one of its two faces
-      note(Status::input_degenerate, "edge between vertices " + text(u) + " and " + text(v) + " has almost no length", point(u));
+      short_edges.insert({u, v});
+      note(Status::input_degenerate, "edge between vertices " + text(u) + " and " + text(v) + " has almost no length",
+           point(u));
     }
   }
+  report_.short_edges = short_edges.size();
 }
 
 void Inspection::check_intersections(const std::vector<Face_pair>& pairs) {
@@ -229,8 +232,10 @@ Validity_report Inspection::changes(const std::vector<Face>& changed) {
   if (!report_.manifold) return report_;
   check_intersections(internal::intersecting_pairs(mesh_, table_, changed));
   if (!report_.ok()) return report_;
-  if (has_new_component(components, table_, is_changed)) check_orientation(components);
-  else report_.outward = true;
+  if (has_new_component(components, table_, is_changed))
+    check_orientation(components);
+  else
+    report_.outward = true;
   return report_;
 }
 

@@ -38,7 +38,8 @@ namespace detail {
 using Long_vector = std::array<long double, 3>;
 
 inline Long_vector difference(const Point_3& p, const Point_3& q) {
-  return {static_cast<long double>(p.x()) - q.x(), static_cast<long double>(p.y()) - q.y(), static_cast<long double>(p.z()) - q.z()};
+  return {static_cast<long double>(p.x()) - q.x(), static_cast<long double>(p.y()) - q.y(),
+          static_cast<long double>(p.z()) - q.z()};
 }
 
 inline Long_vector cross(const Long_vector& a, const Long_vector& b) {
@@ -56,7 +57,8 @@ inline double volume_of(const Blend_mesh& mesh) {
   long double sum = 0;
   for (const Face f : mesh.faces()) {
     const auto [a, b, c] = corners_of(mesh, f);
-    const auto p = detail::difference(mesh.point(Vertex(a)), origin), q = detail::difference(mesh.point(Vertex(b)), origin),
+    const auto p = detail::difference(mesh.point(Vertex(a)), origin),
+               q = detail::difference(mesh.point(Vertex(b)), origin),
                r = detail::difference(mesh.point(Vertex(c)), origin);
     sum += detail::dot(p, detail::cross(q, r));
   }
@@ -183,7 +185,8 @@ inline double distance_to_cylinder(const Point_3& p, const Point_3& on_axis, con
   return distance_to_axis(p, on_axis, direction) - radius;
 }
 
-inline double distance_to_torus(const Point_3& p, const Point_3& centre, const Vector_3& axis, double major, double minor) {
+inline double distance_to_torus(const Point_3& p, const Point_3& centre, const Vector_3& axis, double major,
+                                double minor) {
   const double height = distance_to_plane(p, centre, axis);
   return std::hypot(distance_to_axis(p, centre, axis) - major, height) - minor;
 }
@@ -193,9 +196,10 @@ inline bool faces_kept_in_order(const Blend_mesh& part, const Blend_mesh& whole,
   const auto positions = [](const Blend_mesh& mesh, Face f) {
     std::array<Point_3, 3> p;
     const Face_corners v = corners_of(mesh, f);
-    const std::size_t first = std::min_element(v.begin(), v.end(), [&](std::size_t a, std::size_t b) {
-                                return mesh.point(Vertex(a)) < mesh.point(Vertex(b));
-                              }) - v.begin();
+    const std::size_t first =
+        std::min_element(v.begin(), v.end(),
+                         [&](std::size_t a, std::size_t b) { return mesh.point(Vertex(a)) < mesh.point(Vertex(b)); }) -
+        v.begin();
     for (std::size_t i = 0; i < 3; ++i) p[i] = mesh.point(Vertex(v[(first + i) % 3]));
     return p;
   };

@@ -40,8 +40,18 @@ inline Blend_mesh box(const Point_3& low, const Point_3& high) {
   std::vector<Point_3> points;
   for (int i = 0; i < 8; ++i)
     points.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(), i & 4 ? high.z() : low.z());
-  return mesh_of(points, {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                          {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}});
+  return mesh_of(points, {{0, 2, 3},
+                          {0, 3, 1},
+                          {4, 5, 7},
+                          {4, 7, 6},
+                          {0, 1, 5},
+                          {0, 5, 4},
+                          {2, 6, 7},
+                          {2, 7, 3},
+                          {0, 4, 6},
+                          {0, 6, 2},
+                          {1, 3, 7},
+                          {1, 7, 5}});
 }
 
 /// Box whose sides are grids of n x n squares of two triangles each: 12 n^2 faces.
@@ -156,7 +166,8 @@ inline Blend_mesh torus(double major, double minor, int n_major, int n_minor) {
   std::vector<Corner_indices> triangles;
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t a = i * n + j, b = (i + 1) % m * n + j, c = (i + 1) % m * n + (j + 1) % n, d = i * n + (j + 1) % n;
+      const std::size_t a = i * n + j, b = (i + 1) % m * n + j, c = (i + 1) % m * n + (j + 1) % n,
+                        d = i * n + (j + 1) % n;
       triangles.push_back({a, b, c});
       triangles.push_back({a, c, d});
     }
@@ -166,11 +177,12 @@ inline Blend_mesh torus(double major, double minor, int n_major, int n_minor) {
 /// Icosahedron split `level` times, all vertices on the sphere: 20 * 4^level faces.
 inline Blend_mesh sphere(double radius, int level, const Point_3& centre = {0, 0, 0}) {
   const double g = (1 + std::sqrt(5.0)) / 2;
-  std::vector<Vector_3> points = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                  {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  std::vector<Corner_indices> triangles = {
-      {0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-      {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  std::vector<Vector_3> points = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                                  {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  std::vector<Corner_indices> triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                           {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                           {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                           {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (; level > 0; --level) {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
     const auto middle = [&](std::size_t i, std::size_t j) {
@@ -192,13 +204,17 @@ inline Blend_mesh sphere(double radius, int level, const Point_3& centre = {0, 0
 }
 
 /// Rotation about an axis through the origin (Rodrigues), then a uniform scaling, then a translation.
-inline Placement placement(const Vector_3& axis, double angle, const Vector_3& translation = {0, 0, 0}, double scale = 1) {
+inline Placement placement(const Vector_3& axis, double angle, const Vector_3& translation = {0, 0, 0},
+                           double scale = 1) {
   const Vector_3 a = axis / std::sqrt(axis.squared_length());
   const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
   const auto m = [&](double x) { return scale * x; };
-  return {m(c + d * a.x() * a.x()),         m(d * a.x() * a.y() - s * a.z()), m(d * a.x() * a.z() + s * a.y()), translation.x(),
-          m(d * a.y() * a.x() + s * a.z()), m(c + d * a.y() * a.y()),         m(d * a.y() * a.z() - s * a.x()), translation.y(),
-          m(d * a.z() * a.x() - s * a.y()), m(d * a.z() * a.y() + s * a.x()), m(c + d * a.z() * a.z()),         translation.z()};
+  return {m(c + d * a.x() * a.x()),         m(d * a.x() * a.y() - s * a.z()),
+          m(d * a.x() * a.z() + s * a.y()), translation.x(),
+          m(d * a.y() * a.x() + s * a.z()), m(c + d * a.y() * a.y()),
+          m(d * a.y() * a.z() - s * a.x()), translation.y(),
+          m(d * a.z() * a.x() - s * a.y()), m(d * a.z() * a.y() + s * a.x()),
+          m(c + d * a.z() * a.z()),         translation.z()};
 }
 
 inline Placement moved_by(double x, double y, double z) { return placement({0, 0, 1}, 0, {x, y, z}); }

@@ -27,12 +27,15 @@ using Cartesian = CGAL::Simple_cartesian<double>;
 template <class Graph>
 class Copy_mesh : public ::testing::Test {};
 
-using Graphs = ::testing::Types<CGAL::Surface_mesh<Epick::Point_3>, CGAL::Surface_mesh<Epeck::Point_3>,
-                                CGAL::Surface_mesh<Cartesian::Point_3>, CGAL::Polyhedron_3<Epick>, CGAL::Polyhedron_3<Epeck>,
-                                CGAL::Polyhedron_3<Cartesian>, CGAL::Polyhedron_3<Epick, CGAL::Polyhedron_items_with_id_3>>;
+using Graphs =
+    ::testing::Types<CGAL::Surface_mesh<Epick::Point_3>, CGAL::Surface_mesh<Epeck::Point_3>,
+                     CGAL::Surface_mesh<Cartesian::Point_3>, CGAL::Polyhedron_3<Epick>, CGAL::Polyhedron_3<Epeck>,
+                     CGAL::Polyhedron_3<Cartesian>, CGAL::Polyhedron_3<Epick, CGAL::Polyhedron_items_with_id_3>>;
 TYPED_TEST_SUITE(Copy_mesh, Graphs);
 
-Blend_mesh awkward_mesh() { return transformed(torus(2, 0.7, 12, 8), placement({1, 2, 3}, 0.7, {1e3, -1e-3, 0.1}, 1.0 / 3)); }
+Blend_mesh awkward_mesh() {
+  return transformed(torus(2, 0.7, 12, 8), placement({1, 2, 3}, 0.7, {1e3, -1e-3, 0.1}, 1.0 / 3));
+}
 
 TYPED_TEST(Copy_mesh, Round_trip_is_exact_and_keeps_order) {
   const Blend_mesh mesh = awkward_mesh();
@@ -74,7 +77,8 @@ TYPED_TEST(Copy_mesh, Copying_out_tells_what_became_of_each_element) {
   TypeParam graph;
   const auto maps = internal::copy_out(mesh, graph, default_values());
   const auto points = get(CGAL::vertex_point, graph);
-  for (const Vertex v : mesh.vertices()) EXPECT_EQ(CGAL::to_double(get(points, maps.vertices.at(v)).y()), mesh.point(v).y());
+  for (const Vertex v : mesh.vertices())
+    EXPECT_EQ(CGAL::to_double(get(points, maps.vertices.at(v)).y()), mesh.point(v).y());
   for (const Halfedge h : mesh.halfedges()) {
     EXPECT_EQ(target(maps.halfedges.at(h), graph), maps.vertices.at(mesh.target(h)));
     EXPECT_EQ(face(maps.halfedges.at(h), graph), maps.faces.at(mesh.face(h)));
@@ -153,8 +157,8 @@ TEST(Copy_mesh_of_exact_points, Equal_numbers_become_equal_doubles) {
 #ifndef NDEBUG
 TEST(Copy_mesh_of_surface_mesh, Refuses_faces_that_are_not_triangles) {
   Blend_mesh quad;
-  const Vertex a = quad.add_vertex(Point_3(0, 0, 0)), b = quad.add_vertex(Point_3(1, 0, 0)), c = quad.add_vertex(Point_3(1, 1, 0)),
-               d = quad.add_vertex(Point_3(0, 1, 0));
+  const Vertex a = quad.add_vertex(Point_3(0, 0, 0)), b = quad.add_vertex(Point_3(1, 0, 0)),
+               c = quad.add_vertex(Point_3(1, 1, 0)), d = quad.add_vertex(Point_3(0, 1, 0));
   quad.add_face(a, b, c, d);
   const auto behaviour = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
   const auto handler = CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});

@@ -53,7 +53,9 @@ Blend_mesh blend_mesh_of(const Graph& graph) {
 template <class Graph>
 std::vector<typename boost::graph_traits<Graph>::edge_descriptor> upper_rim(const Graph& graph) {
   const auto points = get(CGAL::vertex_point, graph);
-  const auto on_rim = [&](auto v) { return get(points, v).z() == 2 && (get(points, v).x() != 0 || get(points, v).y() != 0); };
+  const auto on_rim = [&](auto v) {
+    return get(points, v).z() == 2 && (get(points, v).x() != 0 || get(points, v).y() != 0);
+  };
   std::vector<typename boost::graph_traits<Graph>::edge_descriptor> rim;
   for (const auto e : edges(graph))
     if (on_rim(source(e, graph)) && on_rim(target(e, graph))) rim.push_back(e);
@@ -64,13 +66,14 @@ template <class Graph>
 class Fillet_graphs : public ::testing::Test {};
 
 using Graphs = ::testing::Types<CGAL::Surface_mesh<Epick::Point_3>, CGAL::Surface_mesh<Epeck::Point_3>,
-                                CGAL::Surface_mesh<Cartesian::Point_3>, CGAL::Polyhedron_3<Epick>, CGAL::Polyhedron_3<Epeck>,
-                                CGAL::Polyhedron_3<Cartesian>>;
+                                CGAL::Surface_mesh<Cartesian::Point_3>, CGAL::Polyhedron_3<Epick>,
+                                CGAL::Polyhedron_3<Epeck>, CGAL::Polyhedron_3<Cartesian>>;
 TYPED_TEST_SUITE(Fillet_graphs, Graphs);
 
 TYPED_TEST(Fillet_graphs, A_boolean_with_blend_is_that_of_the_concrete_mesh) {
   Blend_mesh expected;
-  const Fillet_outcome outcome = corefine_and_fillet(plate(3, 1), boss(), Boolean_operation::union_, expected, ball(ball_radius));
+  const Fillet_outcome outcome =
+      corefine_and_fillet(plate(3, 1), boss(), Boolean_operation::union_, expected, ball(ball_radius));
   ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
 
   const auto a = graph_of<TypeParam>(plate(3, 1)), b = graph_of<TypeParam>(boss());
@@ -90,7 +93,8 @@ TYPED_TEST(Fillet_graphs, A_boolean_with_blend_is_that_of_the_concrete_mesh) {
     for (const auto v : vertices_around_face(halfedge(f, out), out)) {
       const auto& p = get(points, v);
       const Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-      EXPECT_NEAR(distance_to_torus(q, {0, 0, ball_radius}, {0, 0, 1}, boss_radius + ball_radius, ball_radius), 0, 0.01);
+      EXPECT_NEAR(distance_to_torus(q, {0, 0, ball_radius}, {0, 0, 1}, boss_radius + ball_radius, ball_radius), 0,
+                  0.01);
     }
 }
 
@@ -142,7 +146,8 @@ TYPED_TEST(Fillet_graphs, A_bad_input_is_refused_by_name_and_the_output_left_alo
   EXPECT_EQ(result.diagnosis.status, Status::input_not_closed);
   EXPECT_EQ(result.diagnosis.detail.rfind("second body: ", 0), 0u) << result.diagnosis.detail;
   EXPECT_TRUE(identical(blend_mesh_of(out), sphere(1, 1)));
-  EXPECT_EQ(fillet_edges(bad, {{upper_rim(bad), 0}}, out, ball(ball_radius)).diagnosis.status, Status::input_not_closed);
+  EXPECT_EQ(fillet_edges(bad, {{upper_rim(bad), 0}}, out, ball(ball_radius)).diagnosis.status,
+            Status::input_not_closed);
 }
 
 TYPED_TEST(Fillet_graphs, The_check_of_the_input_can_be_left_out) {

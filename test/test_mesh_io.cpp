@@ -47,7 +47,9 @@ class Mesh_io : public ::testing::Test {
     return out.str();
   }
 
-  [[nodiscard]] std::size_t files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
+  [[nodiscard]] std::size_t files() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
 
   fs::path folder_;
 };
@@ -75,15 +77,15 @@ std::optional<Mesh_io_error> refusal(const std::string& path) {
   return std::nullopt;
 }
 
-#define EXPECT_REFUSED(path, expected_kind, expected_status)                                        \
-  do {                                                                                              \
-    const Expect_silence silence;                                                                   \
-    const auto error = refusal(path);                                                               \
-    ASSERT_TRUE(error) << "was read";                                                               \
-    EXPECT_EQ(error->kind, expected_kind) << error->what();                                         \
+#define EXPECT_REFUSED(path, expected_kind, expected_status)                                                     \
+  do {                                                                                                           \
+    const Expect_silence silence;                                                                                \
+    const auto error = refusal(path);                                                                            \
+    ASSERT_TRUE(error) << "was read";                                                                            \
+    EXPECT_EQ(error->kind, expected_kind) << error->what();                                                      \
     EXPECT_STREQ(cgal_blend::name(error->diagnosis.status), cgal_blend::name(expected_status)) << error->what(); \
-    EXPECT_NE(std::string(error->what()).find(path), std::string::npos) << error->what();           \
-    EXPECT_EQ(std::string(error->what()).find('\n'), std::string::npos) << error->what();           \
+    EXPECT_NE(std::string(error->what()).find(path), std::string::npos) << error->what();                        \
+    EXPECT_EQ(std::string(error->what()).find('\n'), std::string::npos) << error->what();                        \
   } while (false)
 
 const char* const tetrahedron_off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
@@ -95,7 +97,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 /// Coordinates that need all their digits.
-Blend_mesh awkward_mesh() { return transformed(torus(2, 0.7, 24, 12), placement({1, 2, 3}, 0.7, {1e3, -1e-3, 0.1}, 1.0 / 3)); }
+Blend_mesh awkward_mesh() {
+  return transformed(torus(2, 0.7, 24, 12), placement({1, 2, 3}, 0.7, {1e3, -1e-3, 0.1}, 1.0 / 3));
+}
 
 // ---------------------------------------------------------------- round trips
 
@@ -146,7 +150,8 @@ TEST_F(Mesh_io, Faces_begin_at_the_same_corner_after_a_round_trip) {
 }
 
 TEST_F(Mesh_io, Vertices_without_faces_keep_their_place) {
-  const Blend_mesh mesh = read_mesh(file("t.off", "OFF 5 4 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n"));
+  const Blend_mesh mesh =
+      read_mesh(file("t.off", "OFF 5 4 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n"));
   EXPECT_EQ(mesh.number_of_vertices(), 5u);
   EXPECT_EQ(mesh.point(Vertex(0)), Point_3(9, 9, 9));
   EXPECT_TRUE(validate(mesh).ok());
@@ -156,9 +161,12 @@ TEST_F(Mesh_io, Vertices_without_faces_keep_their_place) {
 
 TEST_F(Mesh_io, Reads_off_with_comments_and_extra_columns) {
   const char* const variants[] = {
-      "# first a comment\n\n  OFF # word\n# counts\n4 4 6\n\n0 0 0 # origin\n1 0 0\n0 1 0\n# half way\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n",
-      "COFF\n4 4 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n0 1 0 0 0 0 0\n0 0 1 1 1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n",
-      "NOFF\n4 4 0\n0 0 0 0 0 1\n1 0 0 1 0 0\n0 1 0 0 1 0\n0 0 1 0 0 1\n3 0 2 1 255 0 0\n3 0 1 3\n3 1 2 3 0.5 0.5 0.5 1\n3 0 3 2\n",
+      "# first a comment\n\n  OFF # word\n# counts\n4 4 6\n\n0 0 0 # origin\n1 0 0\n0 1 0\n# half way\n0 0 1\n3 0 2 "
+      "1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n",
+      "COFF\n4 4 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n0 1 0 0 0 0 0\n0 0 1 1 1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 "
+      "3 2\n",
+      "NOFF\n4 4 0\n0 0 0 0 0 1\n1 0 0 1 0 0\n0 1 0 0 1 0\n0 0 1 0 0 1\n3 0 2 1 255 0 0\n3 0 1 3\n3 1 2 3 0.5 0.5 0.5 "
+      "1\n3 0 3 2\n",
       "OFF 4 4 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 2 1\r\n3 0 1 3\r\n3 1 2 3\r\n3 0 3 2",
       "OFF\n4 4\n0 0 0\n+1 0. 0\n.0 1e0 0\n0 0 1.0E+0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"};
   for (const char* text : variants) {
@@ -168,15 +176,17 @@ TEST_F(Mesh_io, Reads_off_with_comments_and_extra_columns) {
 }
 
 TEST_F(Mesh_io, Reads_obj_with_all_kinds_of_indices) {
-  const Blend_mesh mesh = read_mesh(file("t.obj",
-                                         "# comment\nmtllib x.mtl\no thing\nv 0 0 0\nv 1 0 0 1.0\nv 0 1 0 0.5 0.5 0.5\nv 0 0 1\nvt 0 0\nvn 0 0 1\n"
-                                         "g a\nusemtl m\ns off\nf 1 3 2\nf 1/1 2/1 4/1\nf 2//1 3//1 4//1\nf -4/1/1 -1/1/1 \\\n -2/1/1\n"));
+  const Blend_mesh mesh = read_mesh(
+      file("t.obj",
+           "# comment\nmtllib x.mtl\no thing\nv 0 0 0\nv 1 0 0 1.0\nv 0 1 0 0.5 0.5 0.5\nv 0 0 1\nvt 0 0\nvn 0 0 1\n"
+           "g a\nusemtl m\ns off\nf 1 3 2\nf 1/1 2/1 4/1\nf 2//1 3//1 4//1\nf -4/1/1 -1/1/1 \\\n -2/1/1\n"));
   EXPECT_TRUE(identical(mesh, read_mesh(file("plain.off", tetrahedron_off))));
 }
 
 TEST_F(Mesh_io, Reads_ply_of_many_types) {
   const std::string ascii =
-      "ply\nformat ascii 1.0\ncomment made by hand\nobj_info x\nelement vertex 4\nproperty float x\nproperty uchar red\nproperty double y\n"
+      "ply\nformat ascii 1.0\ncomment made by hand\nobj_info x\nelement vertex 4\nproperty float x\nproperty uchar "
+      "red\nproperty double y\n"
       "property float z\nproperty list uchar float weights\nelement material 1\nproperty int n\nelement face 4\n"
       "property uchar flag\nproperty list uint8 uint32 vertex_index\nend_header\n"
       "0 255 0 0 2 1 1\n1 0 0 0 0\n0 0 1 0 1 7\n0 0 0 1 0\n99\n7 3 0 2 1\n7 3 0 1 3\n7 3 1 2 3\n7 3 0 3 2\n";
@@ -232,8 +242,10 @@ TEST_F(Mesh_io, Reads_binary_stl_that_begins_with_the_word_solid) {
 }
 
 TEST_F(Mesh_io, Stl_facets_that_shrink_to_nothing_are_dropped) {
-  const std::string needle = "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid";
-  const Blend_mesh mesh = read_mesh(file("t.stl", replaced(ascii_stl(box({0, 0, 0}, {1, 1, 1}), "x"), "endsolid", needle)));
+  const std::string needle =
+      "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid";
+  const Blend_mesh mesh =
+      read_mesh(file("t.stl", replaced(ascii_stl(box({0, 0, 0}, {1, 1, 1}), "x"), "endsolid", needle)));
   EXPECT_EQ(mesh.number_of_faces(), 12u);
   EXPECT_TRUE(validate(mesh).ok());
 }
@@ -245,9 +257,10 @@ TEST_F(Mesh_io, Stl_corners_at_zero_and_minus_zero_are_one) {
 
 TEST_F(Mesh_io, Polygons_are_split_in_place_without_folds) {
   // An L-shaped prism of two hexagons, reflex at vertex 3 and 9, and six quadrangles.
-  const Blend_mesh mesh = read_mesh(file("l.off",
-                                         "OFF\n12 8 0\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n"
-                                         "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n"));
+  const Blend_mesh mesh = read_mesh(
+      file("l.off",
+           "OFF\n12 8 0\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n"
+           "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n"));
   EXPECT_EQ(mesh.number_of_faces(), 2 * 4 + 6 * 2u);
   EXPECT_DOUBLE_EQ(volume_of(mesh), 3);
   EXPECT_DOUBLE_EQ(area_of(mesh), 2 * 3 + 8);
@@ -258,7 +271,8 @@ TEST_F(Mesh_io, Polygons_are_split_in_place_without_folds) {
 
 TEST_F(Mesh_io, A_reflex_quadrangle_is_split_inside) {
   // The arrowhead 0 1 2 3 is reflex at 2; only the diagonal 0-2 lies inside, and 1-3 is shorter.
-  const Blend_mesh mesh = read_mesh(file("a.off", "OFF\n5 5 0\n0 0 0\n5 1 0\n3 0 0\n5 -1 0\n2 0 1\n4 0 1 2 3\n3 1 0 4\n3 2 1 4\n3 3 2 4\n3 0 3 4\n"));
+  const Blend_mesh mesh = read_mesh(
+      file("a.off", "OFF\n5 5 0\n0 0 0\n5 1 0\n3 0 0\n5 -1 0\n2 0 1\n4 0 1 2 3\n3 1 0 4\n3 2 1 4\n3 3 2 4\n3 0 3 4\n"));
   EXPECT_EQ(validate(mesh).diagnosis.status, Status::ok) << message(validate(mesh).diagnosis);
 }
 
@@ -307,7 +321,9 @@ TEST_F(Mesh_io, Refuses_cut_off_files_wherever_they_are_cut) {
 }
 
 TEST_F(Mesh_io, Refuses_malformed_files) {
-  const auto off = [&](const std::string& from, const std::string& to) { return file("t.off", replaced(tetrahedron_off, from, to)); };
+  const auto off = [&](const std::string& from, const std::string& to) {
+    return file("t.off", replaced(tetrahedron_off, from, to));
+  };
   EXPECT_REFUSED(off("OFF", "FOO"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(off("OFF", "4OFF"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(off("3 0 3 2", "3 0 3 4"), Kind::unreadable, Status::ok);
@@ -320,12 +336,18 @@ TEST_F(Mesh_io, Refuses_malformed_files) {
   EXPECT_REFUSED(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), Kind::unreadable, Status::ok);
   EXPECT_REFUSED(file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -1 -2\n"), Kind::unreadable, Status::ok);
-  EXPECT_REFUSED(file("t.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1\n"), Kind::unreadable, Status::ok);
-  EXPECT_REFUSED(file("t.ply", "ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nproperty list uchar int vertex_index\n"
-                               "end_header\n3 0 1 2\n"), Kind::unreadable, Status::ok);
-  EXPECT_REFUSED(file("t.ply", "ply\nformat middle_endian 1.0\nelement vertex 0\nend_header\n"), Kind::unreadable, Status::ok);
-  EXPECT_REFUSED(file("t.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n"),
+  EXPECT_REFUSED(file("t.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1\n"),
                  Kind::unreadable, Status::ok);
+  EXPECT_REFUSED(file("t.ply",
+                      "ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nproperty list uchar int vertex_index\n"
+                      "end_header\n3 0 1 2\n"),
+                 Kind::unreadable, Status::ok);
+  EXPECT_REFUSED(file("t.ply", "ply\nformat middle_endian 1.0\nelement vertex 0\nend_header\n"), Kind::unreadable,
+                 Status::ok);
+  EXPECT_REFUSED(
+      file("t.stl",
+           "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n"),
+      Kind::unreadable, Status::ok);
 }
 
 TEST_F(Mesh_io, Malformed_text_is_told_with_its_line) {
@@ -336,9 +358,12 @@ TEST_F(Mesh_io, Malformed_text_is_told_with_its_line) {
 }
 
 TEST_F(Mesh_io, Names_coordinates_that_are_not_finite) {
-  for (const char* bad : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "inf", "-inf", "Infinity", "1e999", "1.#QNAN", "-1.#IND", "1.#INF"}) {
-    EXPECT_REFUSED(file("t.off", replaced(tetrahedron_off, "0 0 1", std::string("0 ") + bad + " 1")), Kind::bad_mesh, Status::input_not_finite);
-    EXPECT_REFUSED(file("t.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 ") + bad + "\nf 1 2 3\n"), Kind::bad_mesh, Status::input_not_finite);
+  for (const char* bad : {"nan", "NaN", "-nan", "nan(ind)", "-nan(ind)", "inf", "-inf", "Infinity", "1e999", "1.#QNAN",
+                          "-1.#IND", "1.#INF"}) {
+    EXPECT_REFUSED(file("t.off", replaced(tetrahedron_off, "0 0 1", std::string("0 ") + bad + " 1")), Kind::bad_mesh,
+                   Status::input_not_finite);
+    EXPECT_REFUSED(file("t.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 ") + bad + "\nf 1 2 3\n"), Kind::bad_mesh,
+                   Status::input_not_finite);
   }
   const auto error = refusal(file("t.off", replaced(tetrahedron_off, "0 0 1", "0 nan 1")));
   ASSERT_TRUE(error);
@@ -374,10 +399,14 @@ TEST_F(Mesh_io, Names_what_no_halfedge_structure_can_hold) {
 }
 
 TEST_F(Mesh_io, What_a_halfedge_structure_can_hold_is_left_to_validation) {
-  const auto status = [&](const std::string& text) { return validate(read_mesh(file("t.off", text))).diagnosis.status; };
+  const auto status = [&](const std::string& text) {
+    return validate(read_mesh(file("t.off", text))).diagnosis.status;
+  };
   EXPECT_EQ(status(replaced(replaced(tetrahedron_off, "4 4 6", "4 3 6"), "3 0 3 2\n", "")), Status::input_not_closed);
-  EXPECT_EQ(status("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n"), Status::input_misoriented);
-  EXPECT_EQ(status("OFF\n4 4 0\n0 0 0\n1 0 0\n2 0 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"), Status::input_degenerate);
+  EXPECT_EQ(status("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n"),
+            Status::input_misoriented);
+  EXPECT_EQ(status("OFF\n4 4 0\n0 0 0\n1 0 0\n2 0 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"),
+            Status::input_degenerate);
 }
 
 // ---------------------------------------------------------------- writing
@@ -464,13 +493,17 @@ class Shared_models : public ::testing::Test {
   void SetUp() override {
     if (!fs::exists(model("gen_box.off"))) GTEST_SKIP() << "no shared models";
   }
-  [[nodiscard]] static std::string model(const std::string& name) { return std::string(shared_folder) + "/data/models/" + name; }
+  [[nodiscard]] static std::string model(const std::string& name) {
+    return std::string(shared_folder) + "/data/models/" + name;
+  }
 };
 
 TEST_F(Shared_models, Clean_ones_are_read_and_valid) {
-  const struct { const char* name; std::size_t vertices, faces; } table[] = {
-      {"gen_box.off", 8, 12},     {"couplingdown.off", 1841, 3714}, {"spot.off", 2930, 5856},
-      {"plate_holes.stl", 618, 1252}, {"gen_torus_64x32.off", 2048, 4096}, {"teapot_body.off", 1601, 3198}};
+  const struct {
+    const char* name;
+    std::size_t vertices, faces;
+  } table[] = {{"gen_box.off", 8, 12},         {"couplingdown.off", 1841, 3714},    {"spot.off", 2930, 5856},
+               {"plate_holes.stl", 618, 1252}, {"gen_torus_64x32.off", 2048, 4096}, {"teapot_body.off", 1601, 3198}};
   for (const auto& row : table) {
     const Validity_report r = validate(read_mesh(model(row.name)));
     EXPECT_TRUE(r.ok()) << row.name << ": " << message(r.diagnosis);

@@ -77,7 +77,8 @@ TEST(Message, Tells_what_and_where_and_what_would_work) {
   Diagnosis d = diagnosis(Status::radius_exceeds_face, "edge 3-4");
   d.point = Diagnosis::Point(1, -2.5, 1e-7);
   d.max_radius = 0.75;
-  EXPECT_EQ(message(d), std::string(describe(d.status)) + ": edge 3-4, at (1, -2.5, 1e-07); largest radius that works there: 0.75");
+  EXPECT_EQ(message(d),
+            std::string(describe(d.status)) + ": edge 3-4, at (1, -2.5, 1e-07); largest radius that works there: 0.75");
 }
 
 TEST(Message, Is_the_sentence_alone_if_nothing_else_is_known) {
@@ -89,7 +90,8 @@ TEST(Message, Stays_on_one_line) {
 }
 
 TEST(Message, Radius_is_never_rounded_up) {
-  for (const double radius : {1.23456789, 0.99999999, 9.9999999, 1e-9 / 3, 123456789.0, 2.0 / 3 * 1e6, 5.0, 0.1, 1e300, 7e-300}) {
+  for (const double radius :
+       {1.23456789, 0.99999999, 9.9999999, 1e-9 / 3, 123456789.0, 2.0 / 3 * 1e6, 5.0, 0.1, 1e300, 7e-300}) {
     Diagnosis d = diagnosis(Status::radius_exceeds_face);
     d.max_radius = radius;
     const double told = number_after(message(d), "works there: ");

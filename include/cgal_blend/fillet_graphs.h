@@ -54,7 +54,8 @@ struct Fillet_result {
 namespace internal {
 
 /// Validates an input mesh; `which` names it in the message where there are two. Adds the time it took.
-inline Diagnosis check_input(const Blend_mesh& mesh, const Graph_fillet_options& options, const char* which, Stage_times& times) {
+inline Diagnosis check_input(const Blend_mesh& mesh, const Graph_fillet_options& options, const char* which,
+                             Stage_times& times) {
   if (options.input_check == Input_check::none) return {};
   const auto start = std::chrono::steady_clock::now();
   Diagnosis diagnosis = validate(mesh).diagnosis;
@@ -75,8 +76,8 @@ std::vector<typename boost::graph_traits<Graph>::face_descriptor> translated(con
 
 /// Hands an engine's outcome to the user; the output mesh is only touched if there is something to write into it.
 template <class Graph, class Named_parameters>
-Fillet_result<Graph> hand_out(const Fillet_outcome& outcome, const Blend_mesh& mesh, const Stage_times& before, Graph& out,
-                              const Named_parameters& np) {
+Fillet_result<Graph> hand_out(const Fillet_outcome& outcome, const Blend_mesh& mesh, const Stage_times& before,
+                              Graph& out, const Named_parameters& np) {
   Fillet_result<Graph> result;
   result.diagnosis = outcome.diagnosis;
   result.blends = outcome.blends;
@@ -111,10 +112,10 @@ Fillet_result<Graph> refused(Diagnosis diagnosis, const Stage_times& times) {
 /// \param np_mesh, np_out `CGAL::parameters::vertex_point_map` of the meshes
 template <class Graph, class Output, class Named_parameters_mesh = CGAL::parameters::Default_named_parameters,
           class Named_parameters_out = CGAL::parameters::Default_named_parameters>
-[[nodiscard]] Fillet_result<Output> fillet_edges(const Graph& mesh, const std::vector<Edge_blend_of<Graph>>& blends, Output& out,
-                                                 const Graph_fillet_options& options,
-                                                 const Named_parameters_mesh& np_mesh = CGAL::parameters::default_values(),
-                                                 const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
+[[nodiscard]] Fillet_result<Output> fillet_edges(
+    const Graph& mesh, const std::vector<Edge_blend_of<Graph>>& blends, Output& out,
+    const Graph_fillet_options& options, const Named_parameters_mesh& np_mesh = CGAL::parameters::default_values(),
+    const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
   const internal::Mesh_copy<Graph> copy(mesh, np_mesh);
   Stage_times times;
   if (Diagnosis bad = internal::check_input(copy.mesh(), options, "", times); !bad.ok())
@@ -125,13 +126,15 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
     for (const auto e : blend.edges) copied_blends.back().edges.push_back(copy.copy_of_edge(e));
   }
   Blend_mesh result;
-  const Fillet_outcome outcome = fillet_edges(copy.mesh(), copied_blends, result, static_cast<const Fillet_options&>(options));
+  const Fillet_outcome outcome =
+      fillet_edges(copy.mesh(), copied_blends, result, static_cast<const Fillet_options&>(options));
   return internal::hand_out(outcome, result, times, out, np_out);
 }
 
 /// Computes a boolean of two meshes and blends their intersection curves; radius 0 leaves the curves sharp.
 /// See the overload for `Blend_mesh`; for the parameters, `fillet_edges` for meshes of any type.
-template <class Graph_a, class Graph_b, class Output, class Named_parameters_a = CGAL::parameters::Default_named_parameters,
+template <class Graph_a, class Graph_b, class Output,
+          class Named_parameters_a = CGAL::parameters::Default_named_parameters,
           class Named_parameters_b = CGAL::parameters::Default_named_parameters,
           class Named_parameters_out = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] Fillet_result<Output> corefine_and_fillet(

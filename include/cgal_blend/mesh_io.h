@@ -10,7 +10,7 @@
 
 namespace cgal_blend {
 
-/// Thrown when a file cannot be read or written, or what it holds is no acceptable mesh. `what()` is one line for users.
+/// Thrown when a file cannot be read or written, or what it holds is no acceptable mesh. `what()` is one line.
 class Mesh_io_error : public std::runtime_error {
  public:
   enum class Kind { unreadable, unwritable, unknown_format, bad_mesh };
@@ -30,8 +30,8 @@ class Mesh_io_error : public std::runtime_error {
 /// non-manifold, inconsistently oriented, a face that names a vertex twice: what a halfedge structure cannot hold).
 [[nodiscard]] Blend_mesh read_mesh(const std::string& path);
 
-/// Writes a mesh, format by extension. Text formats get the shortest decimals that read back to the same doubles, PLY is
-/// binary with doubles, STL is binary and so rounded to single precision: where that would turn a valid mesh into an
+/// Writes a mesh, format by extension. Text formats get the shortest decimals that read back to the same doubles, PLY
+/// is binary with doubles, STL is binary and so rounded to single precision: where that would turn a valid mesh into an
 /// invalid one it is refused as unwritable. Vertices and faces are written in index order, removed ones skipped.
 /// The file appears whole or not at all: it is written beside `path` and renamed.
 /// Throws `Mesh_io_error` (unwritable, unknown_format); an existing file is then untouched.

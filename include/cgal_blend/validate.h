@@ -15,17 +15,17 @@ struct Validity_report {
   Diagnosis diagnosis;  ///< the first promise broken, with its place; `ok` if none
   std::size_t vertices = 0;
   std::size_t faces = 0;
-  std::size_t components = 0;           ///< pieces connected by edges
+  std::size_t components = 0;  ///< pieces connected by edges
   bool finite = false;
-  bool closed = false;                  ///< every edge has two faces
-  bool manifold = false;                ///< no edge with more faces, no vertex where separate fans of faces meet
-  bool outward = false;                 ///< outer components outward, cavities inward, by nesting; false if not checked
-  std::size_t degenerate_faces = 0;     ///< exactly collinear corners
-  std::size_t short_edges = 0;          ///< below `shortest_edge_fraction` of the bounding box diagonal
-  std::size_t self_intersections = 0;   ///< pairs of faces, by exact predicates
-  bool intersections_checked = false;   ///< false: a defect found earlier made the test pointless
-  double volume = 0;                    ///< cubic length units; 0 unless closed
-  double area = 0;                      ///< square length units
+  bool closed = false;                 ///< every edge has two faces
+  bool manifold = false;               ///< no edge with more faces, no vertex where separate fans of faces meet
+  bool outward = false;                ///< outer components outward, cavities inward, by nesting; false if not checked
+  std::size_t degenerate_faces = 0;    ///< exactly collinear corners
+  std::size_t short_edges = 0;         ///< below `shortest_edge_fraction` of the bounding box diagonal
+  std::size_t self_intersections = 0;  ///< pairs of faces, by exact predicates
+  bool intersections_checked = false;  ///< false: a defect found earlier made the test pointless
+  double volume = 0;                   ///< cubic length units; 0 unless closed
+  double area = 0;                     ///< square length units
 
   [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
 };

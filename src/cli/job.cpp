@@ -8,6 +8,7 @@
 #include <cgal_blend/mesh_io.h>
 #include <cgal_blend/validate.h>
 
+#include <algorithm>
 #include <iostream>
 #include <new>
 
@@ -46,6 +47,13 @@ std::string one_line(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
   return text;
+}
+
+std::string success_message(const std::vector<Blend_report>& blends) {
+  const auto is_sharp = [](const Blend_report& blend) { return !blend.diagnosis.ok(); };
+  const auto sharp = std::count_if(blends.begin(), blends.end(), is_sharp);
+  if (sharp == 0) return describe(Status::ok);
+  return std::to_string(sharp) + " of " + std::to_string(blends.size()) + " curves could not be blended and were left sharp";
 }
 
 void print_summary(const Fillet_outcome& outcome, const Blend_mesh& mesh, const std::string& file) {
@@ -121,6 +129,7 @@ void blend_and_write(const std::function<Fillet_outcome(Blend_mesh&, const Fille
     write_mesh(output.mesh, mesh);
   }
   report.output = output_json(output.mesh, mesh, outcome);
+  report.message = success_message(outcome.blends);
   if (output.summary()) print_summary(outcome, mesh, output.mesh);
 }
 

@@ -18,8 +18,8 @@
 
 namespace cgal_blend::internal {
 
-/// Values by descriptor: a flat array where descriptors are indices, a hash map otherwise. Unlike a dynamic property map
-/// it leaves the graph alone, so that several threads may copy one mesh.
+/// Values by descriptor: a flat array where descriptors are indices, a hash map otherwise. Unlike a dynamic property
+/// map it leaves the graph alone, so that several threads may copy one mesh.
 template <class Descriptor, class Value, bool = std::is_convertible_v<Descriptor, std::size_t>>
 class Descriptor_map {
  public:
@@ -55,8 +55,10 @@ struct Has_exact<FT, std::void_t<decltype(CGAL::exact(std::declval<const FT&>())
 /// constructed in different ways could become different doubles.
 template <class FT>
 double rounded(const FT& x) {
-  if constexpr (Has_exact<FT>::value) return CGAL::to_double(CGAL::exact(x));
-  else return CGAL::to_double(x);
+  if constexpr (Has_exact<FT>::value)
+    return CGAL::to_double(CGAL::exact(x));
+  else
+    return CGAL::to_double(x);
 }
 
 /// Converts points of one kernel to another; from exact to inexact ones by rounding.
@@ -65,9 +67,12 @@ struct Point_converter {
   To operator()(const From& p) const {
     using From_kernel = typename CGAL::Kernel_traits<From>::Kernel;
     using To_kernel = typename CGAL::Kernel_traits<To>::Kernel;
-    if constexpr (std::is_same_v<From, To>) return p;
-    else if constexpr (std::is_floating_point_v<typename To_kernel::FT>) return To(rounded(p.x()), rounded(p.y()), rounded(p.z()));
-    else return CGAL::Cartesian_converter<From_kernel, To_kernel>()(p);
+    if constexpr (std::is_same_v<From, To>)
+      return p;
+    else if constexpr (std::is_floating_point_v<typename To_kernel::FT>)
+      return To(rounded(p.x()), rounded(p.y()), rounded(p.z()));
+    else
+      return CGAL::Cartesian_converter<From_kernel, To_kernel>()(p);
   }
 };
 
@@ -133,7 +138,8 @@ Copy_maps<Source, Target> copy_graph(const Source& source, Source_points source_
   }
   for (const auto v : vertices(source)) {
     const auto h = halfedge(v, source);
-    if (h != boost::graph_traits<Source>::null_halfedge()) set_halfedge(maps.vertices.at(v), maps.halfedges.at(h), target);
+    if (h != boost::graph_traits<Source>::null_halfedge())
+      set_halfedge(maps.vertices.at(v), maps.halfedges.at(h), target);
   }
   return maps;
 }
@@ -150,19 +156,24 @@ class Mesh_copy {
   /// \param np `vertex_point_map` of the mesh
   template <class Named_parameters>
   Mesh_copy(const Graph& graph, const Named_parameters& np)
-      : graph_(graph), vertices_(vertices(graph).begin(), vertices(graph).end()), edges_(edges(graph).begin(), edges(graph).end()),
+      : graph_(graph),
+        vertices_(vertices(graph).begin(), vertices(graph).end()),
+        edges_(edges(graph).begin(), edges(graph).end()),
         faces_(faces(graph).begin(), faces(graph).end()) {
     CGAL_precondition(CGAL::is_triangle_mesh(graph));
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
-    const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, graph));
+    const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                         get_const_property_map(CGAL::vertex_point, graph));
     maps_ = copy_graph(graph, points, mesh_, get(CGAL::vertex_point, mesh_));
   }
 
   [[nodiscard]] const Blend_mesh& mesh() const { return mesh_; }
 
   [[nodiscard]] Vertex copy_of_vertex(vertex_descriptor v) const { return maps_.vertices.at(v); }
-  [[nodiscard]] Edge copy_of_edge(edge_descriptor e) const { return mesh_.edge(maps_.halfedges.at(halfedge(e, graph_))); }
+  [[nodiscard]] Edge copy_of_edge(edge_descriptor e) const {
+    return mesh_.edge(maps_.halfedges.at(halfedge(e, graph_)));
+  }
   [[nodiscard]] Face copy_of_face(face_descriptor f) const { return maps_.faces.at(f); }
 
   [[nodiscard]] vertex_descriptor original(Vertex v) const { return vertices_.at(v); }
@@ -187,8 +198,10 @@ struct Keeps_property_maps<Graph, std::void_t<decltype(std::declval<Graph&>().cl
 /// Empties a mesh, but leaves property maps of the user's in place: the points may be one of them.
 template <class Graph>
 void empty_graph(Graph& graph) {
-  if constexpr (Keeps_property_maps<Graph>::value) graph.clear_without_removing_property_maps();
-  else CGAL::clear(graph);
+  if constexpr (Keeps_property_maps<Graph>::value)
+    graph.clear_without_removing_property_maps();
+  else
+    CGAL::clear(graph);
 }
 
 /// Replaces the contents of a user's mesh by those of `mesh`, element for element.
@@ -198,7 +211,8 @@ Copy_maps<Blend_mesh, Graph> copy_out(const Blend_mesh& mesh, Graph& graph, cons
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   empty_graph(graph);
-  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(CGAL::vertex_point, graph));
+  const auto points =
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(CGAL::vertex_point, graph));
   return copy_graph(mesh, get(CGAL::vertex_point, mesh), graph, points);
 }
 

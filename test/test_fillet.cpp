@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rolling-ball blends against closed forms: tori where planes and cylinders meet, and the exact spine of two cylinders.
+#include "checks.h"
+#include "shapes.h"
+
+#include <cgal_blend/creases.h>
+#include <cgal_blend/fillet.h>
+#include <cgal_blend/validate.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace cgal_blend::test {
+namespace {
+
+constexpr double R = 15, r = 5;
+constexpr double fine = 1e-4;  // chord tolerance: only the operands' facets count
+
+Fillet_options options_of(double radius, double chord_tolerance = 2e-3) {
+  Fillet_options options;
+  options.radius = radius;
+  options.chord_tolerance = chord_tolerance;
+  return options;
+}
+
+/// Fillet at the foot of a boss, and round of a bore's rim: a square ring section less a quarter disk (Pappus).
+double foot_volume(double R, double r) {
+  return 2 * pi * (r * r * (R + r / 2) - pi * r * r / 4 * (R + r - 4 * r / (3 * pi)));
+}
+
+/// Round of a boss's top rim.
+double rim_volume(double R, double r) {
+  return 2 * pi * (r * r * (R - r / 2) - pi * r * r / 4 * (R - r + 4 * r / (3 * pi)));
+}
+
+std::vector<Point_3> blend_points(const Blend_mesh& mesh, const Fillet_outcome& outcome) {
+  std::set<Vertex> vertices;
+  for (const Face f : outcome.blend_faces)
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) vertices.insert(v);
+  std::vector<Point_3> points;
+  for (const Vertex v : vertices) points.push_back(mesh.point(v));
+  return points;
+}
+
+template <class Distance>
+double largest(const std::vector<Point_3>& points, Distance distance) {
+  double worst = 0;
+  for (const Point_3& p : points) worst = std::max(worst, std::abs(distance(p)));
+  return worst;
+}
+
+struct Blended {
+  Blend_mesh mesh;
+  Fillet_outcome outcome;
+  double change = 0;  // of the volume, against the sharp body
+};
+
+Blended blend(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation, const Fillet_options& options) {
+  Blend_mesh sharp;
+  EXPECT_TRUE(corefine_and_fillet(a, b, operation, sharp, options_of(0)).ok());
+  Blended result;
+  result.outcome = corefine_and_fillet(a, b, operation, result.mesh, options);
+  EXPECT_EQ(result.outcome.diagnosis.status, Status::ok) << message(result.outcome.diagnosis);
+  if (!result.outcome.ok()) return result;
+  EXPECT_TRUE(validate(result.mesh).ok());
+  EXPECT_TRUE(is_closed_by_counting(result.mesh));
+  result.change = volume_of(result.mesh) - volume_of(sharp);
+  return result;
+}
+
+std::vector<Edge> creases_at_height(const Blend_mesh& mesh, double z) {
+  std::vector<Edge> edges;
+  for (const Edge e : mesh.edges())
+    if (mesh.point(mesh.vertex(e, 0)).z() == z && mesh.point(mesh.vertex(e, 1)).z() == z && is_crease(e, mesh, 45))
+      edges.push_back(e);
+  return edges;
+}
+
+Blended blend_edges(const Blend_mesh& mesh, const std::vector<Edge>& edges, const Fillet_options& options) {
+  Blended result;
+  result.outcome = fillet_edges(mesh, {{edges, options.radius}}, result.mesh, options);
+  EXPECT_EQ(result.outcome.diagnosis.status, Status::ok) << message(result.outcome.diagnosis);
+  if (!result.outcome.ok()) return result;
+  EXPECT_TRUE(validate(result.mesh).ok());
+  result.change = volume_of(result.mesh) - volume_of(mesh);
+  return result;
+}
+
+double order(double coarse_error, double fine_error) { return std::log2(coarse_error / fine_error); }
+
+struct Step {
+  int sides;
+  double tolerance;
+};
+constexpr Step steps[] = {{64, 0.01}, {128, 0.003}, {256, 0.001}};
+
+TEST(Fillet, BossOnPlateIsATorus) {
+  std::vector<double> error;
+  for (const Step& step : steps) {
+    const Blended b = blend(plate(50, 10), cylinder(R, step.sides, -5, 40), Boolean_operation::union_, options_of(r, fine));
+    ASSERT_TRUE(b.outcome.ok());
+    EXPECT_FALSE(b.outcome.blends.at(0).convex);
+    EXPECT_NEAR(b.change, foot_volume(R, r), step.tolerance * foot_volume(R, r)) << step.sides;
+    error.push_back(std::abs(b.change - foot_volume(R, r)));
+    if (step.sides != 128) continue;
+    const double off = largest(blend_points(b.mesh, b.outcome),
+                               [](const Point_3& p) { return distance_to_torus(p, {0, 0, r}, {0, 0, 1}, R + r, r); });
+    EXPECT_LT(off, 0.002 * r);
+    EXPECT_LT(b.outcome.blends[0].radius_error, 0.002);
+    EXPECT_LT(b.outcome.blends[0].tangency_deg, 360.0 / 128);  // half a facet angle, and the rest of the path
+  }
+  EXPECT_GE(order(error[0], error[1]), 1.8);
+  EXPECT_GE(order(error[1], error[2]), 1.8);
+}
+
+TEST(Fillet, TopRimOfABossIsATorus) {
+  std::vector<double> error;
+  for (const Step& step : steps) {
+    const Blend_mesh boss = cylinder(R, step.sides, 0, 40);
+    const Blended b = blend_edges(boss, creases_at_height(boss, 40), options_of(r, fine));
+    ASSERT_TRUE(b.outcome.ok());
+    EXPECT_TRUE(b.outcome.blends.at(0).convex);
+    EXPECT_NEAR(-b.change, rim_volume(R, r), step.tolerance * rim_volume(R, r)) << step.sides;
+    error.push_back(std::abs(-b.change - rim_volume(R, r)));
+    if (step.sides != 128) continue;
+    const double off = largest(blend_points(b.mesh, b.outcome),
+                               [](const Point_3& p) { return distance_to_torus(p, {0, 0, 40 - r}, {0, 0, 1}, R - r, r); });
+    EXPECT_LT(off, 0.002 * r);
+  }
+  EXPECT_GE(order(error[0], error[1]), 1.8);
+  EXPECT_GE(order(error[1], error[2]), 1.8);
+}
+
+TEST(Fillet, RimsOfABoreAreTori) {
+  const double small = 3;  // two rims share the plate's thickness of 10
+  std::vector<double> error;
+  for (const Step& step : steps) {
+    const Blended b =
+        blend(plate(50, 10), cylinder(R, step.sides, -20, 20), Boolean_operation::difference, options_of(small, fine));
+    ASSERT_TRUE(b.outcome.ok());
+    ASSERT_EQ(b.outcome.blends.size(), 2u);
+    EXPECT_TRUE(b.outcome.blends[0].convex);
+    EXPECT_NEAR(-b.change, 2 * foot_volume(R, small), step.tolerance * 2 * foot_volume(R, small)) << step.sides;
+    error.push_back(std::abs(-b.change - 2 * foot_volume(R, small)));
+    const double off = largest(blend_points(b.mesh, b.outcome), [&](const Point_3& p) {
+      const double z = p.z() > -5 ? -small : -10 + small;
+      return distance_to_torus(p, {0, 0, z}, {0, 0, 1}, R + small, small);
+    });
+    if (step.sides == 128) {
+      EXPECT_LT(off, 0.002 * small);
+    }
+  }
+  EXPECT_GE(order(error[0], error[1]), 1.8);
+  EXPECT_GE(order(error[1], error[2]), 1.8);
+}
+
+TEST(Fillet, IntersectionRoundsBothRims) {
+  const Blended b = blend(plate(50, 10), cylinder(R, 128, -20, 20), Boolean_operation::intersection, options_of(3, fine));
+  ASSERT_TRUE(b.outcome.ok());
+  EXPECT_NEAR(-b.change, 2 * rim_volume(R, 3), 0.003 * 2 * rim_volume(R, 3));
+}
+
+/// Points of the intersection of the cylinder of radius `big` about z with the one of radius `small` about `axis`.
+std::vector<Point_3> cylinders_meet(double big, double small, const Vector_3& axis) {
+  const Vector_3 side{0, 1, 0}, up = CGAL::cross_product(axis, side);
+  std::vector<Point_3> points;
+  const int samples = 40000;
+  for (int i = 0; i < samples; ++i) {
+    const double t = 2 * pi * i / samples;
+    const Vector_3 q = small * (std::cos(t) * side + std::sin(t) * up);
+    // |q + s axis| = big, z left out: a quadratic in s.
+    const double a = axis.x() * axis.x() + axis.y() * axis.y(), b = q.x() * axis.x() + q.y() * axis.y();
+    const double c = q.x() * q.x() + q.y() * q.y() - big * big;
+    for (const double sign : {-1.0, 1.0}) points.push_back(CGAL::ORIGIN + (q + (-b + sign * std::sqrt(b * b - a * c)) / a * axis));
+  }
+  return points;
+}
+
+double nearest_distance(const Point_3& p, const std::vector<Point_3>& points) {
+  double best = std::numeric_limits<double>::max();
+  for (const Point_3& q : points) best = std::min(best, CGAL::squared_distance(p, q));
+  return std::sqrt(best);
+}
+
+TEST(Fillet, SpineOfTwoCylindersIsExact) {
+  for (const double degrees : {90.0, 45.0}) {
+    const double angle = degrees * pi / 180;
+    Blend_mesh second = cylinder(7, 128, -60, 60);
+    second = transformed(second, placement({0, 1, 0}, angle));
+    const Vector_3 axis{std::sin(angle), 0, std::cos(angle)};
+    const Blended b = blend(cylinder(10, 128, -60, 60), second, Boolean_operation::union_, options_of(2));
+    ASSERT_TRUE(b.outcome.ok());
+    ASSERT_EQ(b.outcome.blends.size(), 2u);
+    const std::vector<Point_3> spine = cylinders_meet(12, 9, axis);
+    std::vector<Point_3> points = blend_points(b.mesh, b.outcome);
+    for (std::size_t i = 0; i < points.size(); i += 7)
+      EXPECT_NEAR(nearest_distance(points[i], spine), 2, 0.005 * 2) << degrees << " degrees, " << points[i];
+  }
+}
+
+TEST(Fillet, FacesAwayFromTheBlendAreUntouched) {
+  const Blend_mesh a = grid_box({-50, -50, -10}, {50, 50, 0}, 16), b = cylinder(R + 0.3, 96, -5, 40, 30);
+  const Blended blended = blend(a, b, Boolean_operation::union_, options_of(r));
+  ASSERT_TRUE(blended.outcome.ok());
+  // Faces of a come first, then those of b, each in the operand's order, bit for bit; none beyond a distance is missing.
+  std::vector<Face> far_a, far_b;
+  for (const Face f : a.faces()) {
+    bool far = true;
+    for (const Vertex v : a.vertices_around_face(a.halfedge(f))) {
+      const Point_3& p = a.point(v);
+      far = far && (p.z() < 0 || std::hypot(p.x(), p.y()) > R + 0.3 + r + 10);
+    }
+    if (far) far_a.push_back(f);
+  }
+  for (const Face f : b.faces()) {
+    bool far = true;
+    for (const Vertex v : b.vertices_around_face(b.halfedge(f))) far = far && b.point(v).z() > r + 2;
+    if (far) far_b.push_back(f);
+  }
+  EXPECT_TRUE(faces_kept_in_order(a, blended.mesh, far_a));
+  EXPECT_TRUE(faces_kept_in_order(b, blended.mesh, far_b));
+  EXPECT_GE(blended.outcome.kept_faces, far_a.size() + far_b.size());
+}
+
+TEST(Fillet, SameInputGivesTheSameBytes) {
+  const Blend_mesh a = sphere(10, 3), b = sphere(7, 3, {9, 1, 2});
+  const Blended first = blend(a, b, Boolean_operation::union_, options_of(1));
+  const Blended second = blend(a, b, Boolean_operation::union_, options_of(1));
+  EXPECT_TRUE(identical(first.mesh, second.mesh));
+}
+
+TEST(Fillet, FollowsMotionAndScale) {
+  const Blend_mesh a = plate(50, 10), b = cylinder(R, 64, -5, 40);
+  const double change = blend(a, b, Boolean_operation::union_, options_of(r)).change;
+  for (const double scale : {1e-3, 1.0, 1e6}) {
+    const Placement move = placement({1, 2, 3}, 0.7, {3 * scale, -5 * scale, 8 * scale}, scale);
+    const Blended b2 =
+        blend(transformed(a, move), transformed(b, move), Boolean_operation::union_, options_of(r * scale));
+    EXPECT_NEAR(b2.change / std::pow(scale, 3), change, 1e-3 * change) << scale;
+  }
+}
+
+/// Two spheres: the spine is a circle, the blend a torus about the line through the centres.
+TEST(Fillet, TwoSpheresBlendInATorus) {
+  const double big = 10, small = 8, d = 9, ball = 1.5;
+  Blend_mesh second = sphere(small, 5, {d, 0, 0});
+  const Blended b = blend(sphere(big, 5), second, Boolean_operation::union_, options_of(ball));
+  ASSERT_TRUE(b.outcome.ok());
+  const double p = big + ball, q = small + ball;
+  const double x = (d * d + p * p - q * q) / (2 * d), major = std::sqrt(p * p - x * x);
+  const double off = largest(blend_points(b.mesh, b.outcome),
+                             [&](const Point_3& at) { return distance_to_torus(at, {x, 0, 0}, {1, 0, 0}, major, ball); });
+  EXPECT_LT(off, 0.01 * ball);
+}
+
+TEST(Fillet, BlendOfSpheresIsSmoothAgainstBothSurfaces) {
+  const Blended coarse = blend(sphere(10, 3), sphere(8, 3, {9, 0.5, 0.25}), Boolean_operation::union_, options_of(1.5));
+  const Blended finer = blend(sphere(10, 5), sphere(8, 5, {9, 0.5, 0.25}), Boolean_operation::union_, options_of(1.5));
+  ASSERT_TRUE(coarse.outcome.ok() && finer.outcome.ok());
+  EXPECT_LT(finer.outcome.blends[0].tangency_deg, 0.5 * coarse.outcome.blends[0].tangency_deg);
+  EXPECT_LT(finer.outcome.blends[0].tangency_deg, 3);
+}
+
+// Refusals: named, located, nothing handed out.
+
+Status refusal_of(const Blend_mesh& a, const Blend_mesh& b, double radius) {
+  Blend_mesh out;
+  const Fillet_outcome outcome = corefine_and_fillet(a, b, Boolean_operation::union_, out, options_of(radius));
+  EXPECT_TRUE(outcome.ok() || out.is_empty());
+  return outcome.diagnosis.status;
+}
+
+TEST(Fillet, RefusesOperandsThatDoNotCross) {
+  EXPECT_EQ(refusal_of(sphere(1, 2), sphere(1, 2, {5, 0, 0}), 0.1), Status::operands_disjoint);
+  EXPECT_EQ(refusal_of(sphere(1, 2), sphere(1, 2), 0.1), Status::operands_identical);
+  EXPECT_EQ(refusal_of(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), 0.1), Status::operands_touch);
+}
+
+TEST(Fillet, RefusesARadiusThatRunsOffTheFace) {
+  Blend_mesh out;
+  const Fillet_outcome outcome =
+      corefine_and_fillet(plate(50, 10), cylinder(R, 64, -5, 40), Boolean_operation::union_, out, options_of(45));
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.diagnosis.status, Status::radius_exceeds_face);
+  EXPECT_TRUE(outcome.diagnosis.point.has_value());
+  EXPECT_TRUE(out.is_empty());
+}
+
+TEST(Fillet, RefusesOpenBranchesAndCorners) {
+  const Blend_mesh cube = box({0, 0, 0}, {10, 10, 10});
+  Blend_mesh out;
+  std::vector<Edge> all;
+  for (const Edge e : cube.edges())
+    if (is_crease(e, cube, 45)) all.push_back(e);
+  ASSERT_EQ(all.size(), 12u);
+  EXPECT_EQ(fillet_edges(cube, {{all, 1}}, out, options_of(1)).diagnosis.status, Status::corner);
+  EXPECT_EQ(fillet_edges(cube, {{{all[0]}, 1}}, out, options_of(1)).diagnosis.status, Status::open_branch);
+  EXPECT_EQ(fillet_edges(cube, {{creases_at_height(cube, 10), 1}}, out, options_of(1)).diagnosis.status, Status::corner);
+  EXPECT_TRUE(out.is_empty());
+}
+
+TEST(Fillet, RefusesWrongNumbers) {
+  const Blend_mesh a = sphere(1, 2), b = sphere(1, 2, {1, 0, 0});
+  EXPECT_EQ(refusal_of(a, b, -1), Status::invalid_parameter);
+  EXPECT_EQ(refusal_of(a, b, std::numeric_limits<double>::quiet_NaN()), Status::invalid_parameter);
+  EXPECT_EQ(refusal_of(a, b, std::numeric_limits<double>::infinity()), Status::invalid_parameter);
+}
+
+TEST(Fillet, CanBeCancelled) {
+  Fillet_options options = options_of(0.1);
+  options.progress = [](double) { return false; };
+  Blend_mesh out;
+  const Blend_mesh a = sphere(1, 2), b = sphere(1, 2, {1, 0, 0});
+  EXPECT_EQ(corefine_and_fillet(a, b, Boolean_operation::union_, out, options).diagnosis.status, Status::cancelled);
+  EXPECT_TRUE(out.is_empty());
+}
+
+TEST(Fillet, KeepGoingLeavesTheRestSharp) {
+  // One boss has room for the ball, the other stands at the plate's border.
+  const Blend_mesh body = plate(50, 10);
+  Blend_mesh both;
+  const Blend_mesh border_boss = transformed(cylinder(4, 48, -5, 30), placement({0, 0, 1}, 0.1, {44, 0, 0}));
+  ASSERT_TRUE(corefine_and_fillet(body, border_boss, Boolean_operation::union_, both, options_of(0)).ok());
+  Blend_mesh all;
+  ASSERT_TRUE(corefine_and_fillet(both, cylinder(R, 64, -5, 40), Boolean_operation::union_, all, options_of(0)).ok());
+  const std::vector<Edge> feet = creases_at_height(all, 0);
+  std::vector<Edge> concave;
+  for (const Edge e : feet)
+    if (!is_convex_edge(e, all)) concave.push_back(e);
+  Fillet_options options = options_of(3);
+  Blend_mesh out;
+  EXPECT_EQ(fillet_edges(all, {{concave, 3}}, out, options).diagnosis.status, Status::radius_exceeds_face);
+  options.keep_going = true;
+  const Fillet_outcome outcome = fillet_edges(all, {{concave, 3}}, out, options);
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  EXPECT_TRUE(validate(out).ok());
+  EXPECT_NEAR(volume_of(out) - volume_of(all), foot_volume(R, 3), 0.02 * foot_volume(R, 3));
+}
+
+}  // namespace
+}  // namespace cgal_blend::test
