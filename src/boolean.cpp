@@ -25,6 +25,19 @@ struct Record {
   Cell current = 0;
   bool coplanar = false;
   bool contact = false;
+  bool spread = false;                             // contact beyond vertices, or at vertices that are not in line
+  std::vector<Point_3> at_vertices;                // up to two different ones
+
+  void note(const Point_3* vertex) {
+    contact = true;
+    if (spread) return;
+    if (!vertex)
+      spread = true;
+    else if (at_vertices.size() == 2)
+      spread = !CGAL::collinear(at_vertices[0], at_vertices[1], *vertex);
+    else if (at_vertices.empty() || at_vertices[0] != *vertex)
+      at_vertices.push_back(*vertex);
+  }
 
   [[nodiscard]] int side(const Blend_mesh& mesh) const { return &mesh == operand[0] ? 0 : 1; }
 };
@@ -50,9 +63,13 @@ struct Origin_visitor : PMP::Corefinement::Default_visitor<Blend_mesh> {
     const int side = record->side(mesh);
     if (old.idx() < record->vertices[side]) record->vertex_of[side][old.idx()] = copy;
   }
-  void intersection_point_detected(std::size_t, int, Halfedge, Halfedge, const Blend_mesh&, const Blend_mesh&, bool,
-                                   bool) {
-    record->contact = true;
+  void intersection_point_detected(std::size_t, int dimension, Halfedge edge, Halfedge simplex, const Blend_mesh& mesh,
+                                   const Blend_mesh& other, bool target_on, bool source_on) {
+    const Point_3* vertex = target_on        ? &mesh.point(mesh.target(edge))
+                            : source_on      ? &mesh.point(mesh.source(edge))
+                            : dimension == 0 ? &other.point(other.target(simplex))
+                                             : nullptr;
+    record->note(vertex);
   }
   void start_handling_intersection_of_coplanar_faces(std::size_t count) const {
     if (count > 0) record->coplanar = true;
@@ -115,10 +132,10 @@ Boolean_result compute_boolean(const Blend_mesh& a, const Blend_mesh& b, Boolean
     result.diagnosis = refusal(record->coplanar ? Status::operands_coplanar : Status::boolean_failed);
     return result;
   }
-  result.coplanar = record->coplanar;
+  result.coplanar = record->coplanar && record->spread;
   result.contact = record->contact;
   if (!done) {  // CGAL's way to say that the result would not be manifold
-    result.diagnosis = refusal(record->coplanar ? Status::operands_coplanar : Status::operands_touch);
+    result.diagnosis = refusal(record->coplanar && record->spread ? Status::operands_coplanar : Status::operands_touch);
     return result;
   }
   record->cell_of_face.resize(result.mesh.number_of_faces());

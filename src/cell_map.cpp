@@ -41,7 +41,7 @@ bool Cell_map::whole(Face face, const Blend_mesh& mesh) const {
   const Cell c = cell(face);
   if (start_[c + 1] - start_[c] != 1) return false;
   for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
-    if (v.idx() >= original_.size() || !original_[v.idx()]) return false;
+    if (!is_original(v)) return false;
   return true;
 }
 

@@ -32,6 +32,9 @@ class Cell_map {
   [[nodiscard]] int operand(Face face) const;
   [[nodiscard]] Face base_face(Face face) const;
 
+  /// True if the vertex is a vertex of a base surface.
+  [[nodiscard]] bool is_original(Vertex v) const { return identity_ || (v.idx() < original_.size() && original_[v.idx()]); }
+
   /// True if the face is a whole face of its base surface, with the same vertices.
   [[nodiscard]] bool whole(Face face, const Blend_mesh& mesh) const;
 

@@ -2,7 +2,9 @@
 #include <cgal_blend/fillet.h>
 
 #include "boolean.h"
+#include "collapse_short_edges.h"
 #include "fillet_engine.h"
+#include "snap_to_planes.h"
 #include "stopwatch.h"
 
 #include <cgal_blend/validate.h>
@@ -50,7 +52,9 @@ Status sharp_failure(const Boolean_result& sharp) {
 }
 
 Fillet_outcome sharp_boolean(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out) {
-  Fillet_outcome outcome = finish_body(body, sharp.mesh, out);
+  Blend_mesh mesh = sharp.mesh;
+  collapse_short_edges(mesh, [&](Vertex v) { return body.cells.is_original(v); });
+  Fillet_outcome outcome = finish_body(body, mesh, out);
   if (!outcome.diagnosis.ok()) {
     outcome.diagnosis.status = sharp_failure(sharp);
     out.clear();
@@ -70,14 +74,17 @@ Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend
   return fillet_body(body, blends, out, options);
 }
 
-Fillet_outcome corefine_and_fillet(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation,
+Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& second, Boolean_operation operation,
                                    Blend_mesh& out, const Fillet_options& options) {
   Fillet_outcome outcome;
   outcome.diagnosis = check_options(options);
   if (!outcome.diagnosis.ok()) return outcome;
   const bool blend = options.radius > 0;
-  if (blend && identical(a, b)) return refused(Status::operands_identical);
+  if (blend && identical(first, second)) return refused(Status::operands_identical);
   Stopwatch watch;
+  Blend_mesh a = first, b = second;
+  snap_to_planes(a, b);
+  snap_to_planes(b, a);
   Boolean_result sharp = compute_boolean(a, b, operation);
   const double boolean_time = watch.milliseconds();
   if (!sharp.diagnosis.ok()) {

@@ -205,7 +205,6 @@ class Engine {
         job.rolled = diagnosis.ok();
         if (job.rolled) break;
         if (!job.first_failure) job.first_failure = diagnosis;
-        if (getenv("DBG")) fprintf(stderr, "job %zu level %zu %s\n", i, job.level, message(diagnosis).c_str());
       }
       if (!job.rolled) refuse(job);
     }
@@ -248,7 +247,6 @@ class Engine {
   Diagnosis escalate(std::size_t blame, const Diagnosis& diagnosis) {
     Job& job = jobs_[blame];
     if (!job.first_failure) job.first_failure = diagnosis;
-    if (getenv("DBG")) fprintf(stderr, "blame %zu level %zu %s\n", blame, job.level, message(diagnosis).c_str());
     job.rolled = false;
     if (++job.level == smoothings.size()) refuse(job);
     return first_refusal();

@@ -51,8 +51,10 @@ class Roller {
   Roller(const Ball_solver& solver, const Sampling& sampling) : solver_(solver), sampling_(sampling) {}
 
   Ball_path roll(const std::vector<Ball_guess>& guesses, const Curve_locator& locator) {
+    blocked_.reset();
     Ball_path path;
     std::vector<Ball_position> positions = solve_all(guesses);
+    if (blocked_) return failed(guesses.front().point);
     drop_backward(positions);
     if (positions.size() < fewest_positions) return failed(guesses.front().point);
     if (const auto gap = find_gap(positions)) return failed(*gap);

@@ -78,7 +78,7 @@ TYPED_TEST(Fillet_graphs, A_boolean_with_blend_is_that_of_the_concrete_mesh) {
 
   const auto a = graph_of<TypeParam>(plate(3, 1)), b = graph_of<TypeParam>(boss());
   TypeParam out;
-  const Fillet_result<TypeParam> result = corefine_and_fillet(a, b, Boolean_operation::union_, out, ball(ball_radius));
+  const auto result = corefine_and_fillet(a, b, Boolean_operation::union_, out, ball(ball_radius));
   ASSERT_TRUE(result.ok()) << message(result.diagnosis);
   EXPECT_TRUE(identical(blend_mesh_of(out), expected));
   EXPECT_EQ(result.volume, outcome.volume);

@@ -269,6 +269,37 @@ TEST_F(Mesh_io, Polygons_are_split_in_place_without_folds) {
     for (const std::size_t v : corners_of(mesh, Face(f))) EXPECT_LT(v, 6u);
 }
 
+TEST_F(Mesh_io, Large_polygons_lose_no_area_and_gain_no_flat_face) {
+  // A star-shaped prism with a corner in the middle of every side: reflex and straight corners by turns.
+  const int n = 200;
+  std::ostringstream text;
+  text.precision(17);
+  text << "OFF\n" << 2 * n << " " << n + 2 << " 0\n";
+  std::vector<std::pair<double, double>> outline;
+  for (int i = 0; i < n; i += 2) {
+    const double angle = 2 * pi * i / n, radius = i % 4 == 0 ? 4 : 2;
+    outline.emplace_back(std::round(1024 * radius * std::cos(angle)), std::round(1024 * radius * std::sin(angle)));
+  }
+  double area = 0;
+  for (const int z : {0, 1})
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const auto [x, y] = outline[i];
+      const auto [u, v] = outline[(i + 1) % outline.size()];
+      text << x << " " << y << " " << z << "\n" << (x + u) / 2 << " " << (y + v) / 2 << " " << z << "\n";
+      area += z * (x * v - u * y) / 2;
+    }
+  for (const int z : {0, 1}) {
+    text << n;
+    for (int i = 0; i < n; ++i) text << " " << (z == 0 ? n - 1 - i : n + i);
+    text << "\n";
+  }
+  for (int i = 0; i < n; ++i) text << "4 " << i << " " << (i + 1) % n << " " << n + (i + 1) % n << " " << n + i << "\n";
+  const Blend_mesh mesh = read_mesh(file("star.off", text.str()));
+  EXPECT_EQ(mesh.number_of_faces(), 2u * (n - 2) + 2 * n);
+  EXPECT_DOUBLE_EQ(volume_of(mesh), area);
+  EXPECT_TRUE(validate(mesh).ok()) << message(validate(mesh).diagnosis);
+}
+
 TEST_F(Mesh_io, A_reflex_quadrangle_is_split_inside) {
   // The arrowhead 0 1 2 3 is reflex at 2; only the diagonal 0-2 lies inside, and 1-3 is shorter.
   const Blend_mesh mesh = read_mesh(

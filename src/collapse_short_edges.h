@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_COLLAPSE_SHORT_EDGES_H
+#define CGAL_BLEND_SRC_COLLAPSE_SHORT_EDGES_H
+
+#include <cgal_blend/blend_mesh.h>
+
+#include <functional>
+
+namespace cgal_blend {
+
+/// Collapses edges of almost no length (`shortest_edge_fraction` of the bounding box): a boolean leaves them where an
+/// edge of one operand passes an edge or vertex of the other within rounding. No face may flip or lose its area.
+/// \param keep true for vertices that stay where they are when the other end can go
+/// Elements are marked as removed; the order of the others stays.
+void collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& keep);
+
+}  // namespace cgal_blend
+
+#endif
