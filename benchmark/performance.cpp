@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,7 +82,7 @@ double against_first(const std::string& name, double value) {
 // (a) Blend against boolean, on meshes of a quarter of a million faces each.
 
 std::pair<Blend_mesh, Blend_mesh> two_spheres() {
-  return {sphere(30, 7), sphere(20, 7, {27, 3, 5})};  // 327 680 faces each, one curve
+  return {sphere(30, 7), sphere(20, 7, {27.1, 3.7, 5.9})};  // 327 680 faces each, one curve
 }
 
 std::pair<Blend_mesh, Blend_mesh> two_tori() {
@@ -103,11 +104,11 @@ void blend_against_boolean(benchmark::State& state, std::pair<Blend_mesh, Blend_
   state.counters["validate_ratio"] = times.validate / times.blend;
 }
 
-// (b) The same curve on a growing mesh: a boss on a block of n x n squares of side 1 per face.
+// (b) The same curve on a growing mesh: a boss on a block whose sides are n x n squares of side 1.
 
 constexpr double boss_radius = 5;
 
-Blend_mesh boss_at(double x, double y) { return transformed(cylinder(boss_radius, 128, -4, 12, 15), moved_by(x, y, 0)); }
+Blend_mesh boss_at(double x, double y) { return transformed(cylinder(boss_radius, 128, -4.3, 12, 15), moved_by(x, y, 0)); }
 
 void blend_on_growing_mesh(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));

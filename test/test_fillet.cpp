@@ -91,6 +91,8 @@ Blended blend_edges(const Blend_mesh& mesh, const std::vector<Edge>& edges, cons
   return result;
 }
 
+/// Observed order of convergence. Taken of the distances of vertices: the volume's error soon is that of the arcs' chords,
+/// two thirds of the chord tolerance on the fillet's section, whatever the operands' facets.
 double order(double coarse_error, double fine_error) { return std::log2(coarse_error / fine_error); }
 
 struct Step {
@@ -106,10 +108,10 @@ TEST(Fillet, BossOnPlateIsATorus) {
     ASSERT_TRUE(b.outcome.ok());
     EXPECT_FALSE(b.outcome.blends.at(0).convex);
     EXPECT_NEAR(b.change, foot_volume(R, r), step.tolerance * foot_volume(R, r)) << step.sides;
-    error.push_back(std::abs(b.change - foot_volume(R, r)));
-    if (step.sides != 128) continue;
     const double off = largest(blend_points(b.mesh, b.outcome),
                                [](const Point_3& p) { return distance_to_torus(p, {0, 0, r}, {0, 0, 1}, R + r, r); });
+    error.push_back(off);
+    if (step.sides != 128) continue;
     EXPECT_LT(off, 0.002 * r);
     EXPECT_LT(b.outcome.blends[0].radius_error, 0.002);
     EXPECT_LT(b.outcome.blends[0].tangency_deg, 360.0 / 128);  // half a facet angle, and the rest of the path
@@ -126,11 +128,12 @@ TEST(Fillet, TopRimOfABossIsATorus) {
     ASSERT_TRUE(b.outcome.ok());
     EXPECT_TRUE(b.outcome.blends.at(0).convex);
     EXPECT_NEAR(-b.change, rim_volume(R, r), step.tolerance * rim_volume(R, r)) << step.sides;
-    error.push_back(std::abs(-b.change - rim_volume(R, r)));
-    if (step.sides != 128) continue;
-    const double off = largest(blend_points(b.mesh, b.outcome),
-                               [](const Point_3& p) { return distance_to_torus(p, {0, 0, 40 - r}, {0, 0, 1}, R - r, r); });
-    EXPECT_LT(off, 0.002 * r);
+    error.push_back(largest(blend_points(b.mesh, b.outcome), [](const Point_3& p) {
+      return distance_to_torus(p, {0, 0, 40 - r}, {0, 0, 1}, R - r, r);
+    }));
+    if (step.sides == 128) {
+      EXPECT_LT(error.back(), 0.002 * r);
+    }
   }
   EXPECT_GE(order(error[0], error[1]), 1.8);
   EXPECT_GE(order(error[1], error[2]), 1.8);
@@ -146,13 +149,12 @@ TEST(Fillet, RimsOfABoreAreTori) {
     ASSERT_EQ(b.outcome.blends.size(), 2u);
     EXPECT_TRUE(b.outcome.blends[0].convex);
     EXPECT_NEAR(-b.change, 2 * foot_volume(R, small), step.tolerance * 2 * foot_volume(R, small)) << step.sides;
-    error.push_back(std::abs(-b.change - 2 * foot_volume(R, small)));
-    const double off = largest(blend_points(b.mesh, b.outcome), [&](const Point_3& p) {
+    error.push_back(largest(blend_points(b.mesh, b.outcome), [&](const Point_3& p) {
       const double z = p.z() > -5 ? -small : -10 + small;
       return distance_to_torus(p, {0, 0, z}, {0, 0, 1}, R + small, small);
-    });
+    }));
     if (step.sides == 128) {
-      EXPECT_LT(off, 0.002 * small);
+      EXPECT_LT(error.back(), 0.002 * small);
     }
   }
   EXPECT_GE(order(error[0], error[1]), 1.8);
