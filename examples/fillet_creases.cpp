@@ -42,7 +42,7 @@ int run(const char* in, const char* out, double radius, double angle) {
   options.radius = radius;
   options.keep_going = true;
   Blend_mesh blended;
-  const Fillet_outcome outcome = fillet_edges(mesh, blends, blended, options);
+  const auto outcome = fillet_edges(mesh, blends, blended, options);
   for (const Blend_report& blend : outcome.blends)
     std::cout << "curve of " << blend.edges << " edges: " << message(blend.diagnosis) << "\n";
   if (!outcome.ok()) {

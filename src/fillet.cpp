@@ -64,6 +64,8 @@ Fillet_outcome sharp_boolean(const Fillet_body& body, const Boolean_result& shar
 
 }  // namespace
 
+namespace unchecked {
+
 Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                             const Fillet_options& options) {
   Fillet_outcome outcome;
@@ -110,5 +112,7 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
   outcome.times.boolean = boolean_time;
   return outcome;
 }
+
+}  // namespace unchecked
 
 }  // namespace cgal_blend

@@ -18,6 +18,9 @@
 namespace cgal_blend::test {
 namespace {
 
+using unchecked::corefine_and_fillet;
+using unchecked::fillet_edges;
+
 constexpr double R = 15, r = 5;
 constexpr double fine = 1e-4;  // chord tolerance: only the operands' facets count
 

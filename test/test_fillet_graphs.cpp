@@ -73,7 +73,7 @@ TYPED_TEST_SUITE(Fillet_graphs, Graphs);
 TYPED_TEST(Fillet_graphs, A_boolean_with_blend_is_that_of_the_concrete_mesh) {
   Blend_mesh expected;
   const Fillet_outcome outcome =
-      corefine_and_fillet(plate(3, 1), boss(), Boolean_operation::union_, expected, ball(ball_radius));
+      unchecked::corefine_and_fillet(plate(3, 1), boss(), Boolean_operation::union_, expected, ball(ball_radius));
   ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
 
   const auto a = graph_of<TypeParam>(plate(3, 1)), b = graph_of<TypeParam>(boss());
@@ -101,7 +101,7 @@ TYPED_TEST(Fillet_graphs, A_boolean_with_blend_is_that_of_the_concrete_mesh) {
 TYPED_TEST(Fillet_graphs, Blended_edges_are_those_of_the_concrete_mesh) {
   const Blend_mesh concrete = boss();
   Blend_mesh expected;
-  const Fillet_outcome outcome = fillet_edges(concrete, {{upper_rim(concrete), 0}}, expected, ball(ball_radius));
+  const Fillet_outcome outcome = unchecked::fillet_edges(concrete, {{upper_rim(concrete), 0}}, expected, ball(ball_radius));
   ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
 
   auto graph = graph_of<TypeParam>(concrete);

@@ -56,11 +56,16 @@ struct Fillet_outcome {
   [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
 };
 
-/// The edges of one blend with their radius; `edges` of the input mesh, in any order.
-struct Edge_blend {
-  std::vector<Edge> edges;
-  double radius = 0;  ///< 0: the radius of the options
+/// The edges of one blend with their radius.
+template <class Graph>
+struct Edge_blend_of {
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;  ///< of the input mesh, in any order
+  double radius = 0;                                                        ///< 0: the radius of the options
 };
+using Edge_blend = Edge_blend_of<Blend_mesh>;
+
+/// The engines, for input that is known to be valid (`validate`); the overloads of fillet_graphs.h check it first.
+namespace unchecked {
 
 /// Blends edges of a mesh with a rolling ball (stitching mode, circular arc).
 /// \param mesh closed, 2-manifold, outward oriented, without self-intersections: checked by the caller (`validate`)
@@ -74,6 +79,8 @@ struct Edge_blend {
 /// Faces of `a` that are kept come first in `out`, then those of `b`, then new ones.
 [[nodiscard]] Fillet_outcome corefine_and_fillet(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation,
                                                  Blend_mesh& out, const Fillet_options& options);
+
+}  // namespace unchecked
 
 }  // namespace cgal_blend
 

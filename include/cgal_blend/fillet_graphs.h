@@ -28,13 +28,6 @@ struct Graph_fillet_options : Fillet_options {
   Input_check input_check;
 };
 
-/// The edges of one blend with their radius, for a mesh of any type.
-template <class Graph>
-struct Edge_blend_of {
-  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;  ///< of the input mesh, in any order
-  double radius = 0;                                                        ///< 0: the radius of the options
-};
-
 /// A blend of meshes of any type; the descriptors are those of the output mesh.
 template <class Graph>
 struct Fillet_result {
@@ -103,7 +96,7 @@ Fillet_result<Graph> refused(Diagnosis diagnosis, const Stage_times& times) {
 
 }  // namespace internal
 
-/// Blends edges of a mesh with a rolling ball (stitching mode, circular arc). See the overload for `Blend_mesh`.
+/// Blends edges of a mesh with a rolling ball (stitching mode, circular arc). See the engine in `unchecked`.
 /// \tparam Graph, Output models of `MutableFaceGraph` and `FaceListGraph` with points of any Cartesian kernel;
 ///         exact coordinates are rounded to double
 /// \param mesh a triangle mesh, checked by `validate` unless the options say otherwise; indices in messages count its
@@ -127,12 +120,12 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
   }
   Blend_mesh result;
   const Fillet_outcome outcome =
-      fillet_edges(copy.mesh(), copied_blends, result, static_cast<const Fillet_options&>(options));
+      unchecked::fillet_edges(copy.mesh(), copied_blends, result, static_cast<const Fillet_options&>(options));
   return internal::hand_out(outcome, result, times, out, np_out);
 }
 
 /// Computes a boolean of two meshes and blends their intersection curves; radius 0 leaves the curves sharp.
-/// See the overload for `Blend_mesh`; for the parameters, `fillet_edges` for meshes of any type.
+/// See the engine in `unchecked`; for the parameters, `fillet_edges` for meshes of any type.
 template <class Graph_a, class Graph_b, class Output,
           class Named_parameters_a = CGAL::parameters::Default_named_parameters,
           class Named_parameters_b = CGAL::parameters::Default_named_parameters,
@@ -151,7 +144,7 @@ template <class Graph_a, class Graph_b, class Output,
     return internal::refused<Output>(std::move(bad), times);
   Blend_mesh result;
   const Fillet_outcome outcome =
-      corefine_and_fillet(copy_a.mesh(), copy_b.mesh(), operation, result, static_cast<const Fillet_options&>(options));
+      unchecked::corefine_and_fillet(copy_a.mesh(), copy_b.mesh(), operation, result, options);
   return internal::hand_out(outcome, result, times, out, np_out);
 }
 

@@ -33,7 +33,7 @@ void fillet(const Fillet_command_options& o, Report& report) {
   require_radius_for_all(o, requests);
   const Blend_mesh mesh = read_operand(o.input, report.input, report);
   const std::vector<Edge_blend> blends = chosen_edges(o.choice, requests, mesh);
-  blend_and_write([&](Blend_mesh& out, const Fillet_options& with) { return fillet_edges(mesh, blends, out, with); }, options,
+  blend_and_write([&](Blend_mesh& out, const Fillet_options& with) { return unchecked::fillet_edges(mesh, blends, out, with); }, options,
                   o.output, report);
 }
 
