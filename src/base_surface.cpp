@@ -29,11 +29,33 @@ Vec Base_surface::raw_normal(Face face) const {
   return options_.reversed ? Vec(-n) : n;
 }
 
-bool Base_surface::sharp(Edge e) const {
-  if (creases_ && creases_->count(e)) return true;
+bool Base_surface::steep(Edge e) const {
   const Halfedge h = mesh_.halfedge(e);
-  if (mesh_.is_border(e)) return true;
   return raw_normal(mesh_.face(h)).dot(raw_normal(mesh_.face(mesh_.opposite(h)))) < cos_smooth_;
+}
+
+bool Base_surface::sharp(Edge e) const {
+  if ((creases_ && creases_->count(e)) || mesh_.is_border(e)) return true;
+  return steep(e) && (options_.shortest_crease <= 0 || on_long_crease(e));
+}
+
+bool Base_surface::on_long_crease(Edge e) const {
+  const auto found = long_creases_.find(e.idx());
+  if (found != long_creases_.end()) return found->second;
+  std::vector<Edge> crease{e};
+  std::unordered_set<Edge> seen{e};
+  double length = 0;
+  for (std::size_t i = 0; i < crease.size() && length < options_.shortest_crease; ++i) {
+    const Halfedge h = mesh_.halfedge(crease[i]);
+    length += (to_vec(mesh_.point(mesh_.target(h))) - to_vec(mesh_.point(mesh_.source(h)))).norm();
+    for (const Halfedge end : {h, mesh_.opposite(h)})
+      for (const Halfedge g : mesh_.halfedges_around_target(end))
+        if (!mesh_.is_border(mesh_.edge(g)) && !seen.count(mesh_.edge(g)) && steep(mesh_.edge(g))) {
+          seen.insert(mesh_.edge(g));
+          crease.push_back(mesh_.edge(g));
+        }
+  }
+  return long_creases_[e.idx()] = length >= options_.shortest_crease;
 }
 
 std::vector<Halfedge> Base_surface::fan_corners(Halfedge h) const {

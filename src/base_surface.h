@@ -33,6 +33,7 @@ class Base_surface {
  public:
   struct Options {
     double smooth_angle = 40;   ///< degrees; across edges above it normals are not averaged
+    double shortest_crease = 0; ///< chains of such edges that are shorter are roughness, and smooth all the same
     int smoothing_passes = 0;   ///< Laplacian passes over the corner normals, for surfaces rough at the ball's scale
     bool reversed = false;      ///< true: the solid lies on the side the faces point to
   };
@@ -81,6 +82,8 @@ class Base_surface {
 
  private:
   [[nodiscard]] bool sharp(Edge e) const;
+  [[nodiscard]] bool steep(Edge e) const;
+  [[nodiscard]] bool on_long_crease(Edge e) const;
   [[nodiscard]] Vec corner_normal(Halfedge h, int pass) const;
   [[nodiscard]] Vec smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const;
   [[nodiscard]] std::vector<Halfedge> fan_corners(Halfedge h) const;
@@ -92,6 +95,7 @@ class Base_surface {
   const std::unordered_set<Edge>* creases_;
   mutable std::unordered_map<std::uint32_t, Frame> frames_;
   mutable std::unordered_map<std::uint32_t, Halfedge> fans_;
+  mutable std::unordered_map<std::uint32_t, bool> long_creases_;
   mutable std::unordered_map<std::uint64_t, Vec> normals_;
 };
 

@@ -98,9 +98,12 @@ Strip_quality measure_rims(const std::vector<Ball_position>& positions, const st
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const std::size_t j = (i + 1) % positions.size(), last = rim.path.station_of[j];
       const Vec &a = positions[i].center, &b = positions[j].center;
-      for (std::size_t k = rim.path.station_of[i];; k = (k + 1) % rim.vertices.size()) {
+      for (std::size_t k = rim.path.station_of[i];; k = (k + 1) % rim.path.stations.size()) {
         const double off = std::abs(off_segment(a, b, rim.path.stations[k].point) - radius) / radius;
-        quality.radius_error = std::max(quality.radius_error, off);
+        if (off > quality.radius_error) {
+          quality.radius_error = off;
+          quality.worst = rim.path.stations[k].point;
+        }
         if (k == last) break;
       }
       const Vec radial = positions[i].contact[side] - positions[i].center;

@@ -21,6 +21,7 @@ namespace cgal_blend {
 struct Strip_quality {
   double radius_error = 0;
   double tangency_deg = 0;
+  Vec worst = Vec::Zero();  ///< where the radius error is largest
 };
 [[nodiscard]] Strip_quality measure_rims(const std::vector<Ball_position>& positions,
                                          const std::array<const Rim*, 2>& rims, double radius);

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 
@@ -24,19 +25,26 @@ namespace cgal_blend {
 
 namespace {
 
-/// Ways to see a rough surface as smooth, tried in turn: the least smooth angle, passes over the normals, and how much
-/// longer the shortest step is. Whatever the normals are, the ball touches exactly; what suffers is tangency to the
-/// facets, and that is reported.
+/// Ways to see a rough surface as smooth, tried in turn. Whatever the normals are, the ball touches exactly; what suffers
+/// is tangency to the facets, and that is reported.
 struct Smoothing {
-  double smooth_angle;
-  int passes;
-  double coarsening;
+  double smooth_angle;     // at least this, degrees
+  double shortest_crease;  // in radii
+  int passes;              // over the normals
+  double coarsening;       // of the steps between positions
 };
 constexpr std::array<Smoothing, 6> smoothings{
-    {{0, 0, 1}, {0, 3, 1}, {50, 6, 2}, {60, 12, 3}, {75, 24, 4}, {75, 48, 6}}};
+    {{0, 0, 0, 1}, {0, 2, 3, 1}, {50, 4, 6, 1.5}, {60, 6, 12, 2}, {75, 8, 24, 3}, {75, 12, 48, 4}}};
+
+// A blend whose vertices are farther off the ball than this, in radii, is none. Rims on facets that are rough at the
+// scale of the ball come near it; on smooth surfaces the error is below 1 %.
+constexpr double worst_radius_error = 0.25;
 
 // Positions that the rims cannot be led through may be left out, up to this share.
 constexpr double spare_positions = 0.2;
+
+// A blend that fails within this many radii of a corner fails because of it.
+constexpr double corner_reach = 4;
 
 // Edges that bend the other way count as rounded if they make up less than this share of a curve.
 constexpr double rounding_share = 1e-9;
@@ -164,29 +172,32 @@ class Engine {
     return n[0].cross(n[1]).dot(edge);
   }
 
-  /// Where two consecutive edges of the curve border on base faces that meet in a sharp edge, three surfaces meet.
-  [[nodiscard]] std::optional<Vec> find_corner(const Job& job) {
-    const std::size_t n = job.curve.points.size();
-    for (std::size_t i = 0; i < n; ++i)
+  /// Where two consecutive edges of the curve border on base faces that meet in a sharp edge, three surfaces meet. Finds
+  /// the nearest such place to `at`.
+  [[nodiscard]] std::optional<Vec> find_corner(const Job& job, const Vec& at) {
+    std::optional<Vec> nearest;
+    for (std::size_t i = 0; i < job.curve.points.size(); ++i)
       for (int side = 0; side < 2; ++side) {
         const Base_surface& surface = base_surface(job, side);
+        const Vec& place = job.curve.points[job.curve.next(i)];
         const Face before = job.curve.faces[i][side], after = job.curve.faces[job.curve.next(i)][side];
-        if (before == after) continue;
+        if (before == after || (nearest && (place - at).norm() >= (*nearest - at).norm())) continue;
         const Blend_mesh& base = surface.mesh();
         for (const Halfedge h : base.halfedges_around_face(base.halfedge(before)))
-          if (base.face(base.opposite(h)) == after && !surface.crossable(h)) return job.curve.points[job.curve.next(i)];
+          if (base.face(base.opposite(h)) == after && !surface.crossable(h)) nearest = place;
       }
-    return std::nullopt;
+    return nearest;
   }
 
   const Base_surface& base_surface(const Job& job, int side) {
     const int operand = job.operand[side];
-    std::unique_ptr<Base_surface>& surface = surfaces_[{job.level, operand}];
+    std::unique_ptr<Base_surface>& surface = surfaces_[{job.level, operand, job.report.radius}];
     if (!surface) {
       const Smoothing& how = smoothings[job.level];
       surface = std::make_unique<Base_surface>(
           *body_.base[operand],
-          Base_surface::Options{std::max(options_.smooth_angle, how.smooth_angle), how.passes, body_.reversed[operand]},
+          Base_surface::Options{std::max(options_.smooth_angle, how.smooth_angle),
+                                how.shortest_crease * job.report.radius, how.passes, body_.reversed[operand]},
           body_.own_surface ? &creases_ : nullptr);
     }
     return *surface;
@@ -240,7 +251,10 @@ class Engine {
       job.positions.erase(job.positions.begin() + static_cast<std::ptrdiff_t>(stuck));
       side = 0;  // the rims share their positions
     }
-    return {};
+    const Strip_quality quality = measure_rims(job.positions, {&job.rims[0], &job.rims[1]}, job.report.radius);
+    job.report.radius_error = quality.radius_error;
+    job.report.tangency_deg = quality.tangency_deg;
+    return quality.radius_error > worst_radius_error ? refusal(Status::no_rolling_ball, quality.worst) : Diagnosis{};
   }
 
   /// Gives a blend that did not fit another try on a smoother surface, or refuses it.
@@ -255,8 +269,12 @@ class Engine {
   /// The first failure is the one to tell: later ones come of ever cruder views. Failing at a corner has its own name.
   void refuse(Job& job) {
     job.level = 0;
-    const auto corner = find_corner(job);
-    job.report.diagnosis = corner ? refusal(Status::corner, *corner) : *job.first_failure;
+    job.report.diagnosis = *job.first_failure;
+    if (!job.first_failure->point) return;
+    const Vec at = to_vec(*job.first_failure->point);
+    const auto corner = find_corner(job, at);
+    if (corner && (*corner - at).norm() < corner_reach * job.report.radius)
+      job.report.diagnosis = refusal(Status::corner, *corner);
   }
 
   /// `ok` as long as something can be written: all blends, or some of them if that is wanted.
@@ -311,12 +329,12 @@ class Engine {
       result.blame = nearest_job(at);
       return result;
     }
-    finish(work, replacement.faces, remnants, rims, result, validating);
+    finish(work, replacement.faces, remnants, result, validating);
     return result;
   }
 
-  void finish(const Blend_mesh& work, const std::vector<Face>& added, std::size_t remnants, const std::vector<Rim>& rims,
-              Assembly& result, double& validating) {
+  void finish(const Blend_mesh& work, const std::vector<Face>& added, std::size_t remnants, Assembly& result,
+              double& validating) {
     result.outcome = finish_body(body_, work, result.mesh);
     validating += result.outcome.times.validate;
     // New faces come last, in the order in which they were added.
@@ -331,13 +349,6 @@ class Engine {
         result.diagnosis = refusal(Status::blend_collides, at);
       else
         result.diagnosis.status = Status::result_invalid;
-      return;
-    }
-    for (std::size_t k = 0; k < rims.size(); k += 2) {
-      Job& job = jobs_[rims[k].blend];
-      const Strip_quality quality = measure_rims(job.positions, {&rims[k], &rims[k + 1]}, job.report.radius);
-      job.report.radius_error = quality.radius_error;
-      job.report.tangency_deg = quality.tangency_deg;
     }
   }
 
@@ -359,7 +370,7 @@ class Engine {
   const Fillet_body& body_;
   const Fillet_options& options_;
   std::unordered_set<Edge> creases_;
-  std::map<std::pair<std::size_t, int>, std::unique_ptr<Base_surface>> surfaces_;
+  std::map<std::tuple<std::size_t, int, double>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
 };
 

@@ -112,11 +112,12 @@ class Roller {
   }
 
   std::optional<Vec> find_gap(const std::vector<Ball_position>& positions) const {
+    const double across = (positions.front().center - positions[positions.size() / 2].center).norm();
+    const double step = sampling_.coarsest * solver_.radius();
+    const double limit = std::min(widest_gap * step, std::max(step, across / 2));
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Ball_position& a = positions[i];
       const Ball_position& b = positions[(i + 1) % positions.size()];
-      const double spread = (positions.front().center - positions[positions.size() / 2].center).norm();
-      const double limit = std::max(widest_gap * sampling_.coarsest * solver_.radius(), 0.5 * spread);
       if ((b.center - a.center).norm() > limit) return (a.center + b.center) / 2;
     }
     return std::nullopt;
