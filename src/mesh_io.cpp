@@ -146,12 +146,17 @@ Indexed_mesh index_mesh(const Blend_mesh& mesh) {
   return indexed;
 }
 
+double single(double x) {
+  const volatile float rounded = static_cast<float>(x);  // volatile: g++ 12 at -O2 optimizes the detour away
+  return rounded;
+}
+
 /// The mesh that a reader gets back from single precision, corners at equal positions not merged.
 Blend_mesh rounded_to_single(const Blend_mesh& mesh) {
   Blend_mesh rounded = mesh;
   for (const Vertex v : rounded.vertices()) {
     const Point_3& p = mesh.point(v);
-    rounded.point(v) = Point_3(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+    rounded.point(v) = Point_3(single(p.x()), single(p.y()), single(p.z()));
   }
   return rounded;
 }
