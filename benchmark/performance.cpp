@@ -113,7 +113,9 @@ void blend_against_boolean(benchmark::State& state, std::pair<Blend_mesh, Blend_
 
 constexpr double boss_radius = 5;
 
-Blend_mesh boss_at(double x, double y) { return transformed(cylinder(boss_radius, 128, -4.3, 12, 15), moved_by(x, y, 0)); }
+Blend_mesh boss_at(double x, double y) {
+  return transformed(cylinder(boss_radius, 128, -4.3, 12, 15), moved_by(x, y, 0));
+}
 
 void blend_on_growing_mesh(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
@@ -122,7 +124,8 @@ void blend_on_growing_mesh(benchmark::State& state) {
   Recorder recorder(state);
   for (auto _ : state) {
     Blend_mesh out;
-    if (!recorder.add(unchecked::corefine_and_fillet(block, boss, Boolean_operation::union_, out, options_of(ball)))) return;
+    if (!recorder.add(unchecked::corefine_and_fillet(block, boss, Boolean_operation::union_, out, options_of(ball))))
+      return;
   }
   const std::size_t faces = block.number_of_faces() + boss.number_of_faces();
   recorder.write(faces);
@@ -158,13 +161,25 @@ void blend_along_growing_curve(benchmark::State& state) {
 }
 
 BENCHMARK_CAPTURE(blend_against_boolean, two_spheres, two_spheres)
-    ->Iterations(3)->Unit(benchmark::kMillisecond)->UseManualTime();
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
 BENCHMARK_CAPTURE(blend_against_boolean, two_tori, two_tori)
-    ->Iterations(3)->Unit(benchmark::kMillisecond)->UseManualTime();
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
 BENCHMARK(blend_on_growing_mesh)
-    ->RangeMultiplier(2)->Range(32, 256)->Iterations(5)->Unit(benchmark::kMillisecond)->UseManualTime();
+    ->RangeMultiplier(2)
+    ->Range(32, 256)
+    ->Iterations(5)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
 BENCHMARK(blend_along_growing_curve)
-    ->RangeMultiplier(2)->Range(1, 16)->Iterations(5)->Unit(benchmark::kMillisecond)->UseManualTime();
+    ->RangeMultiplier(2)
+    ->Range(1, 16)
+    ->Iterations(5)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
 
 }  // namespace
 }  // namespace cgal_blend::test

@@ -88,11 +88,10 @@ class Engine {
     Stopwatch watch;
     Fillet_outcome outcome;
     outcome.diagnosis = prepare(blends);
-    double validating = 0;
     while (outcome.diagnosis.ok()) {
       outcome.diagnosis = roll_all();
       if (!outcome.diagnosis.ok()) break;
-      Assembly assembly = assemble(validating);
+      Assembly assembly = assemble();
       if (assembly.diagnosis.ok()) {
         outcome = std::move(assembly.outcome);
         out = std::move(assembly.mesh);
@@ -101,8 +100,8 @@ class Engine {
       outcome.diagnosis = escalate(assembly.blame, assembly.diagnosis);
     }
     for (const Job& job : jobs_) outcome.blends.push_back(job.report);
-    outcome.times.validate = validating;
-    outcome.times.blend = watch.milliseconds() - validating;
+    outcome.times = aside_;
+    outcome.times.blend = watch.milliseconds() - aside_.copy - aside_.validate;
     return outcome;
   }
 
@@ -293,9 +292,11 @@ class Engine {
 
   // Assembly: cut, sew, put in order, check.
 
-  Assembly assemble(double& validating) {
+  Assembly assemble() {
     Assembly result;
+    Stopwatch watch;
     Blend_mesh work = *body_.mesh;
+    aside_.copy += watch.milliseconds();
     std::unordered_set<Edge> curves;
     std::vector<Rim> rims;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
@@ -329,14 +330,14 @@ class Engine {
       result.blame = nearest_job(at);
       return result;
     }
-    finish(work, replacement.faces, remnants, result, validating);
+    finish(work, replacement.faces, remnants, result);
     return result;
   }
 
-  void finish(const Blend_mesh& work, const std::vector<Face>& added, std::size_t remnants, Assembly& result,
-              double& validating) {
+  void finish(const Blend_mesh& work, const std::vector<Face>& added, std::size_t remnants, Assembly& result) {
     result.outcome = finish_body(body_, work, result.mesh);
-    validating += result.outcome.times.validate;
+    aside_.validate += result.outcome.times.validate;
+    aside_.copy += result.outcome.times.copy;
     // New faces come last, in the order in which they were added.
     const std::size_t first = result.mesh.number_of_faces() - added.size();
     for (std::size_t k = remnants; k < added.size(); ++k)
@@ -372,6 +373,7 @@ class Engine {
   std::unordered_set<Edge> creases_;
   std::map<std::tuple<std::size_t, int, double>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
+  Stage_times aside_;  // what is no part of blending, over all tries
 };
 
 /// Elements of a body in the order they are handed out: those of the bases first, in their order.
@@ -413,11 +415,13 @@ Order output_order(const Fillet_body& body, const Blend_mesh& mesh) {
 
 Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blend_mesh& out) {
   Fillet_outcome outcome;
+  Stopwatch copying;
   const Order order = output_order(body, mesh);
   outcome.kept_faces = order.kept_faces;
   Reordered result = reorder(mesh, order.vertices, order.faces);
   for (std::size_t i = order.kept_faces; i < order.faces.size(); ++i)
     outcome.changed_faces.push_back(Face(static_cast<std::uint32_t>(i)));
+  outcome.times.copy = copying.milliseconds();
   Stopwatch watch;
   const Validity_report report = validate_changes(result.mesh, outcome.changed_faces);
   outcome.times.validate = watch.milliseconds();

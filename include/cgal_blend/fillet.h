@@ -39,7 +39,8 @@ struct Blend_report {
 /// Wall-clock times of the stages, milliseconds.
 struct Stage_times {
   double boolean = 0;
-  double blend = 0;
+  double blend = 0;     ///< all that blending takes, but for copying the mesh
+  double copy = 0;      ///< copying the whole mesh and putting it in order: linear in its size, whatever is blended
   double validate = 0;
 };
 
