@@ -51,6 +51,7 @@ class Recorder {
     const auto keep_best = [this](double& best, double time) { best = runs_ == 0 ? time : std::min(best, time); };
     keep_best(best_.boolean, outcome.times.boolean);
     keep_best(best_.blend, outcome.times.blend);
+    keep_best(best_.copy, outcome.times.copy);
     keep_best(best_.validate, outcome.times.validate);
     edges_ = 0;
     for (const Blend_report& blend : outcome.blends) edges_ += blend.edges;
@@ -66,6 +67,7 @@ class Recorder {
     state_.counters["curve_edges"] = static_cast<double>(edges_);
     state_.counters["changed_faces"] = static_cast<double>(changed_);
     state_.counters["blend_ms"] = best().blend;
+    state_.counters["copy_ms"] = best().copy;
     state_.counters["validate_ms"] = best().validate;
     state_.counters["validate_ratio"] = best().validate / best().blend;
   }

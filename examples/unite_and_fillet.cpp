@@ -16,8 +16,8 @@ using cgal_blend::Point_3;
 // 100 x 100 x 10, the upper side at y = 0.
 Blend_mesh make_plate() {
   Blend_mesh mesh;
-  CGAL::make_hexahedron(Point_3(-50, -10, -50), Point_3(50, -10, -50), Point_3(50, -10, 50), Point_3(-50, -10, 50),
-                        Point_3(-50, 0, 50), Point_3(-50, 0, -50), Point_3(50, 0, -50), Point_3(50, 0, 50), mesh);
+  CGAL::make_hexahedron(Point_3(-50, -10, -50), Point_3(-50, -10, 50), Point_3(50, -10, 50), Point_3(50, -10, -50),
+                        Point_3(50, 0, -50), Point_3(-50, 0, -50), Point_3(-50, 0, 50), Point_3(50, 0, 50), mesh);
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   return mesh;
 }

@@ -110,6 +110,7 @@ Strip_quality measure_rims(const std::vector<Ball_position>& positions, const st
       const Vec& normal = rim.surface->frame(positions[i].foot[side].face).face_normal;
       const double angle = std::atan2(radial.cross(normal).norm(), std::abs(radial.dot(normal)));
       quality.tangency_deg = std::max(quality.tangency_deg, angle * 180 / pi);
+      quality.mean_tangency_deg += angle * 180 / pi / static_cast<double>(2 * positions.size());
     }
   }
   return quality;

@@ -20,7 +20,8 @@ namespace cgal_blend {
 /// How far the rims are off the ball, see `Blend_report`.
 struct Strip_quality {
   double radius_error = 0;
-  double tangency_deg = 0;
+  double tangency_deg = 0;       ///< largest
+  double mean_tangency_deg = 0;
   Vec worst = Vec::Zero();  ///< where the radius error is largest
 };
 [[nodiscard]] Strip_quality measure_rims(const std::vector<Ball_position>& positions,

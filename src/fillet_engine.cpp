@@ -40,11 +40,15 @@ constexpr std::array<Smoothing, 6> smoothings{
 // scale of the ball come near it; on smooth surfaces the error is below 1 %.
 constexpr double worst_radius_error = 0.25;
 
+// Nor is one that leaves the facets at such angles, degrees: then the smoothed normals are those of no surface here.
+constexpr double worst_tangency = 60;
+constexpr double worst_mean_tangency = 15;
+
 // Positions that the rims cannot be led through may be left out, up to this share.
 constexpr double spare_positions = 0.2;
 
-// A blend that fails within this many radii of a corner fails because of it.
-constexpr double corner_reach = 4;
+// The view in which corners are looked for.
+constexpr std::size_t corner_level = 1;
 
 // Edges that bend the other way count as rounded if they make up less than this share of a curve.
 constexpr double rounding_share = 1e-9;
@@ -253,7 +257,10 @@ class Engine {
     const Strip_quality quality = measure_rims(job.positions, {&job.rims[0], &job.rims[1]}, job.report.radius);
     job.report.radius_error = quality.radius_error;
     job.report.tangency_deg = quality.tangency_deg;
-    return quality.radius_error > worst_radius_error ? refusal(Status::no_rolling_ball, quality.worst) : Diagnosis{};
+    if (quality.radius_error > worst_radius_error || quality.tangency_deg > worst_tangency ||
+        quality.mean_tangency_deg > worst_mean_tangency)
+      return refusal(Status::no_rolling_ball, quality.worst);
+    return {};
   }
 
   /// Gives a blend that did not fit another try on a smoother surface, or refuses it.
@@ -265,14 +272,13 @@ class Engine {
     return first_refusal();
   }
 
-  /// The first failure is the one to tell: later ones come of ever cruder views. Failing at a corner has its own name.
+  /// The first failure is the one to tell: later ones come of ever cruder views. Failing at a corner has its own name;
+  /// creases that are short against the ball make none.
   void refuse(Job& job) {
-    job.level = 0;
+    job.level = corner_level;
     job.report.diagnosis = *job.first_failure;
-    if (!job.first_failure->point) return;
-    const Vec at = to_vec(*job.first_failure->point);
-    const auto corner = find_corner(job, at);
-    if (corner && (*corner - at).norm() < corner_reach * job.report.radius)
+    const auto at = job.first_failure->point;
+    if (const auto corner = find_corner(job, at ? to_vec(*at) : job.curve.points.front()))
       job.report.diagnosis = refusal(Status::corner, *corner);
   }
 

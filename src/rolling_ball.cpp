@@ -129,7 +129,11 @@ class Roller {
     if (depth >= deepest_split || length < 2 * sampling_.finest * radius) return;
     const Ball_guess guess{(a.center + b.center) / 2, (b.center - a.center).normalized(), a.foot};
     Ball_solution solution = solver_.solve(guess);
-    if (!solution.position) solution = solver_.solve({guess.point, guess.direction, b.foot});
+    if (!solution.position) {
+      const std::optional<Vec> blocked = solution.blocked;
+      solution = solver_.solve({guess.point, guess.direction, b.foot});
+      if (!solution.position && !solution.blocked) solution.blocked = blocked;
+    }
     if (!solution.position) {
       if (solution.blocked) blocked_ = solution.blocked;
       return;
