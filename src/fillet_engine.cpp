@@ -3,6 +3,7 @@
 
 #include "blend_curve.h"
 #include "blend_strip.h"
+#include "refusal.h"
 #include "rolling_ball.h"
 #include "stitching.h"
 #include "stopwatch.h"
@@ -56,13 +57,6 @@ constexpr double rounding_share = 1e-9;
 // A rim keeps this far from vertices and edges that it does not run through.
 constexpr double snap_of_radius = 0.01;
 constexpr double snap_of_facet = 0.1;
-
-Diagnosis refusal(Status status, const Vec& at) {
-  Diagnosis diagnosis;
-  diagnosis.status = status;
-  diagnosis.point = to_point(at);
-  return diagnosis;
-}
 
 /// One branch on its way to becoming a blend.
 struct Job {

@@ -2,6 +2,7 @@
 #include "rolling_ball.h"
 
 #include "ball_solver.h"
+#include "refusal.h"
 #include "spine_guess.h"
 
 #include <algorithm>
@@ -37,13 +38,6 @@ double off_chord(const Vec& a, const Vec& b, const Vec& p) {
 double chord_error(const Ball_position& a, const Ball_position& b, const Ball_position& middle) {
   return std::max({off_chord(a.center, b.center, middle.center), off_chord(a.contact[0], b.contact[0], middle.contact[0]),
                    off_chord(a.contact[1], b.contact[1], middle.contact[1])});
-}
-
-Diagnosis refusal(Status status, const Vec& at) {
-  Diagnosis diagnosis;
-  diagnosis.status = status;
-  diagnosis.point = to_point(at);
-  return diagnosis;
 }
 
 class Roller {

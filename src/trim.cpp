@@ -2,6 +2,7 @@
 #include "trim.h"
 
 #include "cell_triangulation.h"
+#include "refusal.h"
 
 #include <algorithm>
 #include <map>
@@ -15,13 +16,6 @@ namespace {
 
 using Cell = Cell_map::Cell;
 using Directed = std::pair<Vertex, Vertex>;
-
-Diagnosis refusal(Status status, const Vec& at) {
-  Diagnosis diagnosis;
-  diagnosis.status = status;
-  diagnosis.point = to_point(at);
-  return diagnosis;
-}
 
 /// The faces of the base surface that a station lies on.
 std::vector<Face> faces_at(const Blend_mesh& mesh, const Station& s) {
