@@ -36,7 +36,8 @@ int run(const char* in, const char* out, double radius, double angle) {
     blends.emplace_back();
     for (Halfedge h : branch.halfedges) blends.back().edges.push_back(mesh.edge(h));
   }
-  std::cout << blends.size() << " closed curves, " << network.branches.size() - blends.size() << " open ones left sharp\n";
+  std::cout << blends.size() << " closed curves, " << network.branches.size() - blends.size()
+            << " open ones left sharp\n";
 
   Fillet_options options;
   options.radius = radius;

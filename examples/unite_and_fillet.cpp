@@ -40,10 +40,10 @@ int main(int argc, char** argv) {
     std::cerr << message(result.diagnosis) << "\n";
     return EXIT_FAILURE;
   }
-  std::cout << part.number_of_faces() << " faces, " << result.blend_faces.size() << " of them blend; volume " << result.volume
-            << "\n";
+  std::cout << part.number_of_faces() << " faces, " << result.blend_faces.size() << " of them blend; volume "
+            << result.volume << "\n";
   for (const cgal_blend::Blend_report& blend : result.blends)
-    std::cout << "curve of " << blend.edges << " edges: radius " << blend.radius << " within " << 100 * blend.radius_error
-              << " %\n";
+    std::cout << "curve of " << blend.edges << " edges: radius " << blend.radius << " within "
+              << 100 * blend.radius_error << " %\n";
   cgal_blend::write_mesh(argc > 2 ? argv[2] : "boss_on_plate.off", part);
 }

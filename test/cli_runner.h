@@ -47,7 +47,9 @@ class Cli_runner : public testing::Test {
   [[nodiscard]] std::string path(const std::string& file) const { return (folder_ / "work" / file).string(); }
   [[nodiscard]] std::string bytes(const std::string& file) const { return content(path(file)); }
   [[nodiscard]] Json json(const std::string& file) const { return Json::parse(bytes(file)); }
-  void write(const std::string& file, const std::string& text) const { std::ofstream(path(file), std::ios::binary) << text; }
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(path(file), std::ios::binary) << text;
+  }
 
   using Files = std::map<std::string, std::string>;
 

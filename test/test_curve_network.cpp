@@ -92,7 +92,8 @@ TYPED_TEST(Curve_networks, RimsAreClosedBranches) {
     EXPECT_TRUE(branch.closed());
     EXPECT_EQ(branch.halfedges.size(), 24u);
   }
-  EXPECT_EQ(network.branches[0].halfedges[0], halfedge(selected[0], mesh)) << "starts at the first edge, along its halfedge";
+  EXPECT_EQ(network.branches[0].halfedges[0], halfedge(selected[0], mesh))
+      << "starts at the first edge, along its halfedge";
 }
 
 TYPED_TEST(Curve_networks, BoxHasEightCorners) {
@@ -195,8 +196,10 @@ TEST(Polyline, PointsMatchWithinSinglePrecision) {
   const Blend_mesh mesh = box({0, 0, 0}, {third, third, third});
   const double single = static_cast<float>(third);
   ASSERT_NE(single, third);
-  EXPECT_EQ(edges_of_polyline(mesh, std::vector<Point_3>{{0, 0, 0}, {third, 0, 0}, {third, third, 0}}).edges.size(), 2u);
-  EXPECT_EQ(edges_of_polyline(mesh, std::vector<Point_3>{{0, 0, 0}, {single, 0, 0}, {single, single, 0}}).edges.size(), 2u);
+  EXPECT_EQ(edges_of_polyline(mesh, std::vector<Point_3>{{0, 0, 0}, {third, 0, 0}, {third, third, 0}}).edges.size(),
+            2u);
+  EXPECT_EQ(edges_of_polyline(mesh, std::vector<Point_3>{{0, 0, 0}, {single, 0, 0}, {single, single, 0}}).edges.size(),
+            2u);
   const auto off = edges_of_polyline(mesh, std::vector<Point_3>{{0, 0, 0}, {third + 1, 0, 0}});
   EXPECT_EQ(off.diagnosis.status, Status::no_such_edge);
   EXPECT_EQ(*off.diagnosis.point, Point_3(third + 1, 0, 0));
@@ -238,7 +241,8 @@ TEST(Selection, LineEndsAndMissingLines) {
 }
 
 TEST(Selection, RefusesWhatIsNoIndex) {
-  for (const char* text : {"\n\n1 2 3\n", "\n\n1 -2\n", "\n\n1 2.5\n", "\n\nx y\n", "\n\n1 99999999999999999999\n", "OFF\n"})
+  for (const char* text :
+       {"\n\n1 2 3\n", "\n\n1 -2\n", "\n\n1 2.5\n", "\n\nx y\n", "\n\n1 99999999999999999999\n", "OFF\n"})
     EXPECT_THROW((void)parsed(text), Mesh_io_error) << text;
   EXPECT_THROW((void)read_selection(std::string("no such file.selection.txt")), Mesh_io_error);
 }

@@ -28,9 +28,8 @@ struct Wedge {
 
 /// Floating-point kernels are lifted to CGAL's filtered one; kernels over exact numbers are used as they are.
 template <class Kernel>
-using Exact_predicate_kernel =
-    std::conditional_t<std::is_floating_point_v<typename Kernel::FT>,
-                       CGAL::Exact_predicates_inexact_constructions_kernel, Kernel>;
+using Exact_predicate_kernel = std::conditional_t<std::is_floating_point_v<typename Kernel::FT>,
+                                                  CGAL::Exact_predicates_inexact_constructions_kernel, Kernel>;
 
 template <class Graph, class Halfedge, class Point_map>
 auto wedge_at(Halfedge h, const Graph& mesh, Point_map points) {

@@ -141,8 +141,8 @@ class Network_builder {
 
 /// Chains edges of a mesh into branches between nodes; a node is every vertex where other than two of them meet.
 /// \param selected a range of edge descriptors in any order; repetitions count once
-/// Branches come in the order of their first edge in `edges(mesh)` and run along that edge's `halfedge(e, mesh)`; a closed
-/// branch starts there. Nodes come in the order in which the branches name them.
+/// Branches come in the order of their first edge in `edges(mesh)` and run along that edge's `halfedge(e, mesh)`; a
+/// closed branch starts there. Nodes come in the order in which the branches name them.
 /// Costs O(k log k) for k edges if descriptors are indices (`Surface_mesh`), else one more sweep over the mesh's edges.
 template <class Graph, class EdgeRange>
 [[nodiscard]] Curve_network<Graph> make_curve_network(const Graph& mesh, const EdgeRange& selected) {

@@ -17,8 +17,8 @@
 
 namespace cgal_blend {
 
-/// How far a given point may lie from the vertex that it means, as a fraction of the mesh's largest coordinate: room for
-/// single precision (STL) and for printed decimals, far below any distance between vertices that matters.
+/// How far a given point may lie from the vertex that it means, as a fraction of the mesh's largest coordinate: room
+/// for single precision (STL) and for printed decimals, far below any distance between vertices that matters.
 inline constexpr double position_match_fraction = 1e-6;
 
 /// The edges along a polyline, or why there are none.
@@ -88,8 +88,11 @@ template <class Graph, class NamedParameters = CGAL::parameters::Default_named_p
   for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
     const auto [h, exists] = halfedge(polyline[i], polyline[i + 1], mesh);
     if (!exists)
-      return {{Status::no_such_edge, "between places " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                         " of the polyline", internal::to_double_point(get(points, polyline[i])), {}}, {}};
+      return {{Status::no_such_edge,
+               "between places " + std::to_string(i) + " and " + std::to_string(i + 1) + " of the polyline",
+               internal::to_double_point(get(points, polyline[i])),
+               {}},
+              {}};
     chain.edges.push_back(edge(h, mesh));
   }
   return chain;
@@ -105,7 +108,8 @@ template <class Graph, class NamedParameters = CGAL::parameters::Default_named_p
   for (const Diagnosis::Point& p : polyline) {
     const auto v = locate(p);
     if (!v)
-      return {{Status::no_such_edge, "no vertex at point " + std::to_string(found.size()) + " of the polyline", p, {}}, {}};
+      return {{Status::no_such_edge, "no vertex at point " + std::to_string(found.size()) + " of the polyline", p, {}},
+              {}};
     found.push_back(*v);
   }
   return edges_of_polyline(mesh, found, np);

@@ -36,8 +36,8 @@ inline std::vector<std::size_t> parse_numbers(const std::string& line, const std
 
 }  // namespace internal
 
-/// Reads a selection: indices of vertices on line 1, of faces on line 2, pairs of vertex indices of edges from line 3 on.
-/// Trailing lines may be missing. Whether the indices exist in a mesh is not checked here.
+/// Reads a selection: indices of vertices on line 1, of faces on line 2, pairs of vertex indices of edges from line 3
+/// on. Trailing lines may be missing. Whether the indices exist in a mesh is not checked here.
 /// Throws `Mesh_io_error` (unreadable) if a word is no index or an edge has only one vertex.
 [[nodiscard]] inline Selection read_selection(std::istream& in, const std::string& file_name = "selection") {
   Selection selection;

@@ -31,7 +31,8 @@ void read_polyline(const Json& polyline, const std::string& where, Blend_request
     else
       malformed(where, item.dump() + " in 'polyline' is neither a vertex index nor a point [x, y, z]");
   }
-  if (!request.vertices.empty() && !request.points.empty()) malformed(where, "'polyline' mixes vertex indices and points");
+  if (!request.vertices.empty() && !request.points.empty())
+    malformed(where, "'polyline' mixes vertex indices and points");
 }
 
 double read_radius(const Json& radius, const std::string& where) {

@@ -32,8 +32,11 @@ void add_command(CLI::App& app, int& exit_status, const std::string& word, Boole
       const Transform placement = transform->count() > 0 ? parse_transform(o.transform_b) : Transform();
       const Blend_mesh a = read_operand(o.a, report.input, report);
       const Blend_mesh b = read_operand(o.b, report.input_b, report, placement);
-      blend_and_write([&](Blend_mesh& out, const Fillet_options& with) { return unchecked::corefine_and_fillet(a, b, operation, out, with); },
-                      fillet, o.output, report);
+      blend_and_write(
+          [&](Blend_mesh& out, const Fillet_options& with) {
+            return unchecked::corefine_and_fillet(a, b, operation, out, with);
+          },
+          fillet, o.output, report);
     });
   });
 }

@@ -20,7 +20,9 @@ struct Check_options {
 };
 
 void print(const Validity_report& r, const std::string& file) {
-  const auto row = [](const char* what) -> std::ostream& { return std::cout << "  " << std::left << std::setw(22) << what; };
+  const auto row = [](const char* what) -> std::ostream& {
+    return std::cout << "  " << std::left << std::setw(22) << what;
+  };
   const auto word = [](bool holds) { return holds ? "yes" : "no"; };
   std::cout << file << (r.ok() ? ": valid\n" : ": not valid\n");
   row("vertices") << r.vertices << "\n";
@@ -58,8 +60,9 @@ void check(const Check_options& options, Report& report) {
 }  // namespace
 
 void add_check_command(CLI::App& app, int& exit_status) {
-  CLI::App* command = app.add_subcommand("check", "Reports whether a mesh is a valid solid: closed, manifold, oriented outward, "
-                                                  "not degenerate, not self-intersecting");
+  CLI::App* command = app.add_subcommand("check",
+                                         "Reports whether a mesh is a valid solid: closed, manifold, oriented outward, "
+                                         "not degenerate, not self-intersecting");
   const auto options = std::make_shared<Check_options>();
   command->add_option("IN", options->input, "Mesh to check")->type_name("MESH")->required();
   add_report_options(*command, options->output);

@@ -24,7 +24,8 @@ Vertex vertex_with_index(const Blend_mesh& mesh, std::size_t index, const std::s
   return Vertex(static_cast<Blend_mesh::size_type>(index));
 }
 
-std::vector<Edge> edges_along(const Blend_mesh& mesh, const std::vector<std::size_t>& indices, const std::string& where) {
+std::vector<Edge> edges_along(const Blend_mesh& mesh, const std::vector<std::size_t>& indices,
+                              const std::string& where) {
   std::vector<Vertex> chain;
   for (std::size_t index : indices) chain.push_back(vertex_with_index(mesh, index, where));
   const Edge_chain<Blend_mesh> edges = edges_of_polyline(mesh, chain);
@@ -69,7 +70,8 @@ void Edge_choice::require_one() const {
 std::vector<Edge_blend> chosen_edges(const Edge_choice& choice, const std::vector<Blend_request>& requests,
                                      const Blend_mesh& mesh) {
   if (!choice.blends_file.empty()) {
-    if (requests.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}}, in_quotes(choice.blends_file));
+    if (requests.empty())
+      throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}}, in_quotes(choice.blends_file));
     return requested_edges(mesh, requests, choice.blends_file);
   }
   const std::vector<Edge> edges =

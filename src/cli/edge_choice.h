@@ -27,12 +27,12 @@ struct Blend_request {
   double radius = 0;  ///< 0: the radius of the command line
 };
 
-/// Reads a blends file; throws `Failure`: input if it is no such file, usage or blend for values that cannot be accepted.
+/// Reads a blends file; throws `Failure`: input if it is no such file, usage or blend for values not accepted.
 [[nodiscard]] std::vector<Blend_request> read_blends(const std::string& path);
 
 /// Finds the edges of the mesh; throws `Failure` (no_such_edge, no_edges_selected).
-[[nodiscard]] std::vector<Edge_blend> chosen_edges(const Edge_choice& choice, const std::vector<Blend_request>& requests,
-                                                   const Blend_mesh& mesh);
+[[nodiscard]] std::vector<Edge_blend> chosen_edges(const Edge_choice& choice,
+                                                   const std::vector<Blend_request>& requests, const Blend_mesh& mesh);
 
 }  // namespace cgal_blend::cli
 

@@ -33,8 +33,9 @@ void fillet(const Fillet_command_options& o, Report& report) {
   require_radius_for_all(o, requests);
   const Blend_mesh mesh = read_operand(o.input, report.input, report);
   const std::vector<Edge_blend> blends = chosen_edges(o.choice, requests, mesh);
-  blend_and_write([&](Blend_mesh& out, const Fillet_options& with) { return unchecked::fillet_edges(mesh, blends, out, with); }, options,
-                  o.output, report);
+  blend_and_write(
+      [&](Blend_mesh& out, const Fillet_options& with) { return unchecked::fillet_edges(mesh, blends, out, with); },
+      options, o.output, report);
 }
 
 }  // namespace
@@ -47,13 +48,16 @@ void add_fillet_command(CLI::App& app, int& exit_status) {
   CLI::Option* angle = add_number(*command, "--sharp-angle", options->sharp_angle, 0, 180, true,
                                   "Blend every edge whose face normals differ by more than this");
   angle->type_name("DEG");
-  command->add_option("--edges", options->choice.edges_file, "Blend the edges of a CGAL selection file")->type_name("FILE");
-  command->add_option("--blends", options->choice.blends_file, "Blend the polylines of a JSON file, each with its radius")
+  command->add_option("--edges", options->choice.edges_file, "Blend the edges of a CGAL selection file")
+      ->type_name("FILE");
+  command
+      ->add_option("--blends", options->choice.blends_file, "Blend the polylines of a JSON file, each with its radius")
       ->type_name("FILE");
   add_ball_options(*command, options->ball);
   command->callback([=, &exit_status] {
     if (angle->count() > 0) options->choice.sharp_angle = options->sharp_angle;
-    exit_status = run_job("fillet", options->output, {options->input}, [&](Report& report) { fillet(*options, report); });
+    exit_status =
+        run_job("fillet", options->output, {options->input}, [&](Report& report) { fillet(*options, report); });
   });
 }
 

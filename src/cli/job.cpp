@@ -53,15 +53,18 @@ std::string success_message(const std::vector<Blend_report>& blends) {
   const auto is_sharp = [](const Blend_report& blend) { return !blend.diagnosis.ok(); };
   const auto sharp = std::count_if(blends.begin(), blends.end(), is_sharp);
   if (sharp == 0) return describe(Status::ok);
-  return std::to_string(sharp) + " of " + std::to_string(blends.size()) + " curves could not be blended and were left sharp";
+  return std::to_string(sharp) + " of " + std::to_string(blends.size()) +
+         " curves could not be blended and were left sharp";
 }
 
 void print_summary(const Fillet_outcome& outcome, const Blend_mesh& mesh, const std::string& file) {
   std::cout << file << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
-            << " faces, closed, manifold, no self-intersections; volume " << outcome.volume << ", area " << outcome.area << "\n";
+            << " faces, closed, manifold, no self-intersections; volume " << outcome.volume << ", area " << outcome.area
+            << "\n";
   for (std::size_t i = 0; i < outcome.blends.size(); ++i) {
     const Blend_report& blend = outcome.blends[i];
-    std::cout << "  blend " << i + 1 << ": " << (blend.convex ? "convex" : "concave") << " curve of " << blend.edges << " edges, ";
+    std::cout << "  blend " << i + 1 << ": " << (blend.convex ? "convex" : "concave") << " curve of " << blend.edges
+              << " edges, ";
     if (blend.diagnosis.ok())
       std::cout << "radius " << blend.radius << " within " << 100 * blend.radius_error << " %, tangent within "
                 << blend.tangency_deg << " degrees\n";

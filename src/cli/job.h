@@ -17,8 +17,9 @@ namespace cgal_blend::cli {
 int run_job(const std::string& command, const Output_options& output, const std::vector<std::string>& inputs,
             const std::function<void(Report&)>& body);
 
-/// Reads an input mesh, places it, and refuses it by name if it is not a valid solid. Fills `entry` and the report's times.
-[[nodiscard]] Blend_mesh read_operand(const std::string& path, Json& entry, Report& report, const Transform& placement = {});
+/// Reads an input mesh, places it, and refuses it by name if it is not a valid solid. Fills `entry` and the times.
+[[nodiscard]] Blend_mesh read_operand(const std::string& path, Json& entry, Report& report,
+                                      const Transform& placement = {});
 
 /// Runs an engine with a progress line, then writes and reports its mesh; throws `Failure` if it refuses.
 void blend_and_write(const std::function<Fillet_outcome(Blend_mesh&, const Fillet_options&)>& engine,

@@ -27,16 +27,18 @@ bool is_unknown_subcommand(const CLI::App& app, const std::string& word) {
 
 int main(int argc, char** argv) {
   CLI::App app("Rolling-ball blends on closed triangle meshes", "cgal-blend");
-  app.footer("Formats by extension: OFF, OBJ, PLY, STL. Exit status: 0 valid output written; 2 wrong usage or output not\n"
-             "writable; 3 input unreadable or not a valid solid; 4 blend impossible or not supported there; 5 defect.\n"
-             "Nothing is written unless the exit status is 0.");
+  app.footer(
+      "Formats by extension: OFF, OBJ, PLY, STL. Exit status: 0 valid output written; 2 wrong usage or output not\n"
+      "writable; 3 input unreadable or not a valid solid; 4 blend impossible or not supported there; 5 defect.\n"
+      "Nothing is written unless the exit status is 0.");
   app.set_version_flag("--version", std::string("cgal-blend " CGAL_BLEND_VERSION));
   app.require_subcommand(1);
   int exit_status = 0;
   cgal_blend::cli::add_boolean_commands(app, exit_status);
   cgal_blend::cli::add_fillet_command(app, exit_status);
   cgal_blend::cli::add_check_command(app, exit_status);
-  if (argc > 1 && is_unknown_subcommand(app, argv[1])) return usage_error("unknown subcommand '" + std::string(argv[1]) + "'");
+  if (argc > 1 && is_unknown_subcommand(app, argv[1]))
+    return usage_error("unknown subcommand '" + std::string(argv[1]) + "'");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ArgumentMismatch& error) {

@@ -19,7 +19,9 @@ void add_report_options(CLI::App& command, Output_options& options) {
 }
 
 void add_mesh_output(CLI::App& command, Output_options& options) {
-  command.add_option("-o,--output", options.mesh, "Mesh to write: .off, .obj, .ply or .stl")->required()->type_name("OUT");
+  command.add_option("-o,--output", options.mesh, "Mesh to write: .off, .obj, .ply or .stl")
+      ->required()
+      ->type_name("OUT");
   add_report_options(command, options);
 }
 
@@ -40,14 +42,22 @@ CLI::Option* add_number(CLI::App& command, const std::string& flag, double& valu
 
 void add_ball_options(CLI::App& command, Ball_options& options) {
   const auto given = [&options](const std::string& text) { options.radius = text; };
-  command.add_option_function<std::string>("--radius", given, "Radius of the ball, length units of the mesh")->type_name("R");
-  command.add_option("--profile", options.profile, "Cross-section of the blend: arc")->capture_default_str()->type_name("NAME");
-  command.add_option("--mode", options.mode, "How the blend is joined to the mesh: stitch")->capture_default_str()->type_name("NAME");
+  command.add_option_function<std::string>("--radius", given, "Radius of the ball, length units of the mesh")
+      ->type_name("R");
+  command.add_option("--profile", options.profile, "Cross-section of the blend: arc")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command.add_option("--mode", options.mode, "How the blend is joined to the mesh: stitch")
+      ->capture_default_str()
+      ->type_name("NAME");
   add_number(command, "--chord-tolerance", options.fillet.chord_tolerance, 1e-6, 0.3, false,
-             "Largest distance between arc and facets, as a fraction of the radius [0.002]")->type_name("F");
+             "Largest distance between arc and facets, as a fraction of the radius [0.002]")
+      ->type_name("F");
   add_number(command, "--smooth-angle", options.fillet.smooth_angle, 0, 180, true,
-             "Faces whose normals differ by less belong to one smooth surface [40]")->type_name("DEG");
-  command.add_flag("--keep-going", options.fillet.keep_going, "Leave curves sharp that cannot be blended; blend the others");
+             "Faces whose normals differ by less belong to one smooth surface [40]")
+      ->type_name("DEG");
+  command.add_flag("--keep-going", options.fillet.keep_going,
+                   "Leave curves sharp that cannot be blended; blend the others");
 }
 
 }  // namespace cgal_blend::cli

@@ -17,10 +17,12 @@ namespace fs = std::filesystem;
 
 void require_mesh_extension(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   const std::vector<std::string> known{".off", ".obj", ".ply", ".stl"};
   if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw usage_failure("cannot write " + in_quotes(path) + ": unknown mesh format; the name must end in .off, .obj, .ply or .stl");
+    throw usage_failure("cannot write " + in_quotes(path) +
+                        ": unknown mesh format; the name must end in .off, .obj, .ply or .stl");
 }
 
 // Not even the superuser, who may write everything, replaces a file that was protected on purpose.
@@ -28,7 +30,8 @@ bool is_write_protected(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   const fs::perms any_write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  return fs::exists(status) && ((status.permissions() & any_write) == fs::perms::none || ::access(path.c_str(), W_OK) != 0);
+  return fs::exists(status) &&
+         ((status.permissions() & any_write) == fs::perms::none || ::access(path.c_str(), W_OK) != 0);
 }
 
 void require_writable(const std::string& path) {
@@ -54,7 +57,8 @@ void check_report_path(const Output_options& output, const std::vector<std::stri
   std::vector<std::string> meshes = inputs;
   meshes.push_back(output.mesh);
   for (const std::string& mesh : meshes)
-    if (!mesh.empty() && same_file(output.report, mesh)) throw usage_failure("--report would replace the mesh " + in_quotes(mesh));
+    if (!mesh.empty() && same_file(output.report, mesh))
+      throw usage_failure("--report would replace the mesh " + in_quotes(mesh));
 }
 
 void check_mesh_path(const Output_options& output) {

@@ -37,8 +37,9 @@ Json Report::json() const {
   if (!input_b.is_null()) json["input_b"] = input_b;
   json["output"] = output;
   json["blends"] = blends;
-  json["timings_ms"] = {{"read", read},           {"check_input", check_input},   {"boolean", stages.boolean}, {"copy", stages.copy},
-                        {"blend", stages.blend}, {"validate", stages.validate}, {"write", write}};
+  json["timings_ms"] = {{"read", read},        {"check_input", check_input}, {"boolean", stages.boolean},
+                        {"copy", stages.copy}, {"blend", stages.blend},      {"validate", stages.validate},
+                        {"write", write}};
   return json;
 }
 

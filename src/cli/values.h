@@ -15,8 +15,8 @@ namespace cgal_blend::cli {
 /// Returns the parts of `text` between any of the `separators`; empty parts are kept if `keep_empty`.
 [[nodiscard]] std::vector<std::string> split(const std::string& text, const char* separators, bool keep_empty);
 
-/// Returns the radius that `text` spells. Throws `Failure`: usage if it is no number > 0, unsupported if it is a list of
-/// fraction:radius pairs.
+/// Returns the radius that `text` spells. Throws `Failure`: usage if it is no number > 0, unsupported if it is a list
+/// of fraction:radius pairs.
 [[nodiscard]] double parse_radius(const std::string& text);
 
 /// Throws `Failure` unless the radius is a finite number > 0; `subject` begins the message.
