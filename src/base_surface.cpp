@@ -92,7 +92,7 @@ Vec Base_surface::smoothed_normal(const std::vector<Halfedge>& corners, Halfedge
       const Vec v = to_vec(mesh_.point(mesh_.target(g)));
       const Vec to = to_vec(mesh_.point(mesh_.target(mesh_.next(g)))) - v;
       const Vec from = to_vec(mesh_.point(mesh_.source(g))) - v;
-      sum += angle_between(to, from) * raw_normal(mesh_.face(g));
+      sum += (options_.area_weights ? to.cross(from).norm() : angle_between(to, from)) * raw_normal(mesh_.face(g));
     }
     return sum.stableNormalized();
   }
@@ -154,6 +154,11 @@ Base_surface::Offset Base_surface::offset(const Surface_point& at, double distan
   const Vec unit = n / length;
   const Eigen::Matrix3d project = Eigen::Matrix3d::Identity() - unit * unit.transpose();
   return {p + distance * unit, Eigen::Matrix3d::Identity() + distance / length * project * gradient};
+}
+
+double Base_surface::normal_curvature(const Surface_point& at, const Vec& direction) const {
+  const Offset unit = offset(at, 1);
+  return direction.dot((unit.derivative - Eigen::Matrix3d::Identity()) * direction);
 }
 
 Surface_point Base_surface::locate(Face face, const Vec& p) const {

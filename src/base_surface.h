@@ -32,10 +32,11 @@ struct Surface_point {
 class Base_surface {
  public:
   struct Options {
-    double smooth_angle = 40;   ///< degrees; across edges above it normals are not averaged
-    double shortest_crease = 0; ///< chains of such edges that are shorter are roughness, and smooth all the same
-    int smoothing_passes = 0;   ///< Laplacian passes over the corner normals, for surfaces rough at the ball's scale
-    bool reversed = false;      ///< true: the solid lies on the side the faces point to
+    double smooth_angle = 40;    ///< degrees; across edges above it normals are not averaged
+    double shortest_crease = 0;  ///< chains of such edges that are shorter are roughness, and smooth all the same
+    int smoothing_passes = 0;    ///< Laplacian passes over the corner normals, for surfaces rough at the ball's scale
+    bool reversed = false;       ///< true: the solid lies on the side the faces point to
+    bool area_weights = false;   ///< average normals by area: where large faces are the surface, and small ones a round
   };
 
   /// \param creases edges across which the surface is not smooth, whatever their angle; may be null
@@ -45,9 +46,9 @@ class Base_surface {
   struct Frame {
     std::array<Halfedge, 3> halfedge;  ///< their targets are the corners
     std::array<Vec, 3> corner;
-    std::array<Vec, 3> normal;         ///< corner normals, outward of the solid
-    std::array<Vec, 3> gradient;       ///< of the barycentric coordinates
-    Vec face_normal;                   ///< unit, outward of the solid
+    std::array<Vec, 3> normal;    ///< corner normals, outward of the solid
+    std::array<Vec, 3> gradient;  ///< of the barycentric coordinates
+    Vec face_normal;              ///< unit, outward of the solid
   };
 
   /// Offset point and its derivative with respect to tangential displacements of the foot point.
@@ -67,6 +68,9 @@ class Base_surface {
   [[nodiscard]] Vec position(const Surface_point& at) const;
   [[nodiscard]] Vec normal(const Surface_point& at) const;
   [[nodiscard]] Offset offset(const Surface_point& at, double distance) const;
+
+  /// Change of the interpolated normal along a unit tangent, in that direction: positive where the surface is convex.
+  [[nodiscard]] double normal_curvature(const Surface_point& at, const Vec& direction) const;
 
   /// Nearest point of one face to p.
   [[nodiscard]] Surface_point locate(Face face, const Vec& p) const;

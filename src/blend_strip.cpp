@@ -12,19 +12,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-double opening(const Ball_position& p) {
-  const Vec a = p.contact[0] - p.center, b = p.contact[1] - p.center;
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-/// The point at fraction t of the arc between the contacts: spherical interpolation of the two radii.
-Vec on_arc(const Ball_position& p, double t) {
-  const double angle = opening(p);
-  const Vec a = p.contact[0] - p.center, b = p.contact[1] - p.center;
-  if (std::sin(angle) < 1e-9) return p.center + (1 - t) * a + t * b;
-  return p.center + (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
-}
-
 /// Vertices of a rim from one ball position to the next, both included.
 std::vector<Vertex> rim_between(const Rim& rim, std::size_t i, std::size_t j) {
   std::vector<Vertex> chain;
@@ -42,11 +29,13 @@ std::vector<Vertex> rim_between(const Rim& rim, std::size_t i, std::size_t j) {
 /// always takes the shorter of the two possible diagonals.
 void zip(const Blend_mesh& mesh, const std::vector<Vertex>& low, const std::vector<Vertex>& high,
          std::vector<Triangle>& out) {
-  const auto distance = [&](Vertex a, Vertex b) { return (to_vec(mesh.point(a)) - to_vec(mesh.point(b))).squaredNorm(); };
+  const auto distance = [&](Vertex a, Vertex b) {
+    return (to_vec(mesh.point(a)) - to_vec(mesh.point(b))).squaredNorm();
+  };
   std::size_t i = 0, j = 0;
   while (i + 1 < low.size() || j + 1 < high.size()) {
-    const bool step_low = j + 1 == high.size() ||
-                          (i + 1 < low.size() && distance(low[i + 1], high[j]) <= distance(low[i], high[j + 1]));
+    const bool step_low =
+        j + 1 == high.size() || (i + 1 < low.size() && distance(low[i + 1], high[j]) <= distance(low[i], high[j + 1]));
     if (step_low) {
       out.push_back({low[i + 1], low[i], high[j]});
       ++i;
@@ -57,12 +46,6 @@ void zip(const Blend_mesh& mesh, const std::vector<Vertex>& low, const std::vect
   }
 }
 
-double facet_count(const std::vector<Ball_position>& positions, double chord_tolerance) {
-  double widest = 0;
-  for (const Ball_position& p : positions) widest = std::max(widest, opening(p));
-  return std::max(2.0, std::ceil(widest / (2 * std::acos(1 - chord_tolerance)) - 1e-9));
-}
-
 double off_segment(const Vec& a, const Vec& b, const Vec& p) {
   const Vec chord = b - a;
   const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
@@ -71,19 +54,19 @@ double off_segment(const Vec& a, const Vec& b, const Vec& p) {
 
 }  // namespace
 
-std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const std::vector<Ball_position>& positions,
+std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface,
                                        const std::array<const Rim*, 2>& rims, double chord_tolerance) {
-  const std::size_t n = positions.size();
-  const auto facets = static_cast<std::size_t>(facet_count(positions, chord_tolerance));
-  std::vector<std::vector<Vertex>> inner(n);  // per position, rows 1 .. facets - 1
+  const std::size_t n = surface.size();
+  const std::vector<double> rows = surface.rows(chord_tolerance);
+  std::vector<std::vector<Vertex>> inner(n);  // per profile, what lies between its ends
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 1; k < facets; ++k)
-      inner[i].push_back(mesh.add_vertex(to_point(on_arc(positions[i], static_cast<double>(k) / static_cast<double>(facets)))));
+    for (std::size_t k = 1; k + 1 < rows.size(); ++k)
+      inner[i].push_back(mesh.add_vertex(to_point(surface.on_profile(i, rows[k]))));
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = (i + 1) % n;
     zip(mesh, rim_between(*rims[0], i, j), {inner[i].front(), inner[j].front()}, triangles);
-    for (std::size_t k = 0; k + 2 < facets; ++k)
+    for (std::size_t k = 0; k + 1 < inner[i].size(); ++k)
       zip(mesh, {inner[i][k], inner[j][k]}, {inner[i][k + 1], inner[j][k + 1]}, triangles);
     zip(mesh, {inner[i].back(), inner[j].back()}, rim_between(*rims[1], i, j), triangles);
   }
@@ -97,6 +80,7 @@ Strip_quality measure_rims(const std::vector<Ball_position>& positions, const st
     const Rim& rim = *rims[side];
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const std::size_t j = (i + 1) % positions.size(), last = rim.path.station_of[j];
+      if (positions[i].mended || positions[j].mended) continue;
       const Vec &a = positions[i].center, &b = positions[j].center;
       for (std::size_t k = rim.path.station_of[i];; k = (k + 1) % rim.path.stations.size()) {
         const double off = std::abs(off_segment(a, b, rim.path.stations[k].point) - radius) / radius;
@@ -114,6 +98,13 @@ Strip_quality measure_rims(const std::vector<Ball_position>& positions, const st
     }
   }
   return quality;
+}
+
+double measure_tangency(const Virtual_surface& surface) {
+  double largest = 0;
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    for (const int side : {0, 1}) largest = std::max(largest, surface.end_angle(i, side));
+  return largest;
 }
 
 }  // namespace cgal_blend

@@ -5,27 +5,31 @@
 #include "rolling_ball.h"
 #include "stitching.h"
 #include "trim.h"
+#include "virtual_surface.h"
 
 #include <array>
 #include <vector>
 
 namespace cgal_blend {
 
-/// Tessellates the blend between two rims: one circular arc per ball position, cut into equal facets; between the
-/// first and last column of arcs and the rims, triangles to every rim vertex. Adds the inner vertices to the mesh.
+/// Tessellates the blend between two rims: one profile per ball position, cut into the surface's rows; between the
+/// first and last row and the rims, triangles to every rim vertex. Adds the inner vertices to the mesh.
 /// \param rims left and right rim of the curve, with their vertices
-[[nodiscard]] std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const std::vector<Ball_position>& positions,
+[[nodiscard]] std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface,
                                                      const std::array<const Rim*, 2>& rims, double chord_tolerance);
 
-/// How far the rims are off the ball, see `Blend_report`.
+/// How far the rims are off the ball, see `Blend_report`; joints over loops of the spine apart.
 struct Strip_quality {
   double radius_error = 0;
-  double tangency_deg = 0;       ///< largest
+  double tangency_deg = 0;  ///< largest
   double mean_tangency_deg = 0;
   Vec worst = Vec::Zero();  ///< where the radius error is largest
 };
 [[nodiscard]] Strip_quality measure_rims(const std::vector<Ball_position>& positions,
                                          const std::array<const Rim*, 2>& rims, double radius);
+
+/// Largest angle between the ends of the profiles and the base faces there, degrees.
+[[nodiscard]] double measure_tangency(const Virtual_surface& surface);
 
 }  // namespace cgal_blend
 

@@ -25,6 +25,7 @@ Diagnosis check_options(const Fillet_options& options) {
     return wrong("chord tolerance must lie between 1e-6 and 0.3");
   if (!(options.smooth_angle > 0 && options.smooth_angle < 180))
     return wrong("smooth angle must lie between 0 and 180 degrees");
+  if (!(options.chord_ratio >= 0 && options.chord_ratio <= 1)) return wrong("chord ratio must lie between 0 and 1");
   if (!(options.radius >= 0) || !std::isfinite(options.radius)) return wrong("radius must be a positive number");
   return {};
 }
@@ -105,7 +106,7 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
     body.reversed = {false, operation == Boolean_operation::difference};
     body.own_surface = false;
     if (blend)
-      outcome = fillet_body(body, {{sharp.curves, options.radius}}, out, options);
+      outcome = fillet_body(body, {{sharp.curves, options.radius, {}}}, out, options);
     else
       outcome = sharp_boolean(body, sharp, out);
   }

@@ -3,6 +3,8 @@
 
 #include "blend_curve.h"
 #include "blend_strip.h"
+#include "collapse_short_edges.h"
+#include "map_region.h"
 #include "refusal.h"
 #include "rolling_ball.h"
 #include "stitching.h"
@@ -67,8 +69,10 @@ struct Job {
   std::size_t level = 0;
   bool rolled = false;
   std::optional<Diagnosis> first_failure;
+  Profile profile;
   std::vector<Ball_position> positions;
   std::array<Rim, 2> rims;
+  std::optional<Virtual_surface> surface;
 };
 
 struct Assembly {
@@ -115,6 +119,7 @@ class Engine {
       for (const Branch<Blend_mesh>& branch : network.branches) {
         Job job;
         job.halfedges = branch.halfedges;
+        job.profile = blend.profile.value_or(options_.profile);
         job.report.edges = branch.halfedges.size();
         job.report.radius = radius;
         job.report.closed = branch.closed();
@@ -188,13 +193,14 @@ class Engine {
 
   const Base_surface& base_surface(const Job& job, int side) {
     const int operand = job.operand[side];
-    std::unique_ptr<Base_surface>& surface = surfaces_[{job.level, operand, job.report.radius}];
+    const bool round = job.profile.is_sharp();
+    std::unique_ptr<Base_surface>& surface = surfaces_[{job.level, operand, job.report.radius, round}];
     if (!surface) {
       const Smoothing& how = smoothings[job.level];
       surface = std::make_unique<Base_surface>(
           *body_.base[operand],
           Base_surface::Options{std::max(options_.smooth_angle, how.smooth_angle),
-                                how.shortest_crease * job.report.radius, how.passes, body_.reversed[operand]},
+                                how.shortest_crease * job.report.radius, how.passes, body_.reversed[operand], round},
           body_.own_surface ? &creases_ : nullptr);
     }
     return *surface;
@@ -225,13 +231,24 @@ class Engine {
     Sampling steps = sampling(options_.chord_tolerance);
     const double snap = radius * std::min(snap_of_radius, snap_of_facet * steps.finest);
     steps.spacing = std::min(steps.coarsest, steps.finest * smoothings[job.level].coarsening);
-    Ball_path path = roll_ball(surfaces, job.curve, radius, steps);
+    steps.samples = options_.samples;
+    steps.chord_ratio = options_.chord_ratio;
+    steps.mend_loops = options_.mend_spine;
+    const Curve_kind kind = job.profile.is_sharp() ? Curve_kind::round : Curve_kind::crease;
+    Ball_path path = roll_ball(surfaces, job.curve, kind, radius, steps);
     if (!path.diagnosis.ok()) return path.diagnosis;
     job.positions = std::move(path.positions);
-    return lay_rims(job, index, surfaces, snap);
+    job.report.loops = path.loops;
+    const Diagnosis laid = lay_rims(job, index, surfaces, snap);
+    if (laid.ok()) {
+      job.surface.emplace(job.positions, surfaces, radius, job.profile);
+      if (!job.profile.is_arc()) job.report.tangency_deg = measure_tangency(*job.surface);
+    }
+    return laid;
   }
 
-  Diagnosis lay_rims(Job& job, std::size_t index, const std::array<const Base_surface*, 2>& surfaces, double snap) const {
+  Diagnosis lay_rims(Job& job, std::size_t index, const std::array<const Base_surface*, 2>& surfaces,
+                     double snap) const {
     const auto fewest = static_cast<std::size_t>((1 - spare_positions) * static_cast<double>(job.positions.size()));
     for (int side = 0; side < 2;) {
       std::vector<Surface_point> feet;
@@ -315,12 +332,20 @@ class Engine {
       result.blame = nearest_job(to_vec(*trimming.diagnosis.point));
       return result;
     }
+    if (options_.mode == Blend_mode::map)
+      map(work, trimming, result);
+    else
+      stitch(work, rims, trimming, result);
+    return result;
+  }
+
+  void stitch(Blend_mesh& work, const std::vector<Rim>& rims, Trimming& trimming, Assembly& result) {
     std::vector<Triangle> triangles = std::move(trimming.remnants);
     const std::size_t remnants = triangles.size();
     for (std::size_t k = 0; k < rims.size(); k += 2) {
       const Job& job = jobs_[rims[k].blend];
       const std::vector<Triangle> strip =
-          tessellate_strip(work, job.positions, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
+          tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
       triangles.insert(triangles.end(), strip.begin(), strip.end());
     }
     const Replacement replacement = replace_faces(work, trimming.removed, triangles);
@@ -328,20 +353,73 @@ class Engine {
       const Vec at = to_vec(work.point(*replacement.conflict));
       result.diagnosis = refusal(Status::blends_overlap, at);
       result.blame = nearest_job(at);
-      return result;
+      return;
     }
-    finish(work, replacement.faces, remnants, result);
-    return result;
+    finish(work, {}, result);
+    if (!result.diagnosis.ok()) return;
+    // New faces come last, in the order in which they were added.
+    const std::size_t first = result.mesh.number_of_faces() - replacement.faces.size();
+    for (std::size_t k = remnants; k < replacement.faces.size(); ++k)
+      result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(first + k)));
   }
 
-  void finish(const Blend_mesh& work, const std::vector<Face>& added, std::size_t remnants, Assembly& result) {
-    result.outcome = finish_body(body_, work, result.mesh);
+  /// Moves the vertices that stitching would remove onto the blends.
+  void map(const Blend_mesh& work, const Trimming& trimming, Assembly& result) {
+    const std::unordered_set<Vertex> between = vertices_between(work, trimming);
+    Stopwatch watch;
+    Blend_mesh target = *body_.mesh;
+    aside_.copy += watch.milliseconds();
+    if (!body_.own_surface) collapse_short_edges(target, [&](Vertex v) { return body_.cells.is_original(v); });
+    std::map<Vertex, Vec> moves;
+    std::unordered_set<Vertex> inner;
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      Job& job = jobs_[i];
+      if (!job.rolled) continue;
+      std::vector<Vertex> curve;
+      for (const Halfedge h : job.halfedges)
+        if (!target.is_removed(body_.mesh->source(h))) curve.push_back(body_.mesh->source(h));
+      const Region_mapping region = map_region(target, curve, between, *job.surface, job.positions);
+      result.diagnosis = region.diagnosis;
+      result.blame = i;
+      if (!result.diagnosis.ok()) return;
+      for (const auto& [v, to] : region.interior) {
+        if (!inner.insert(v).second) {
+          result.diagnosis = refusal(Status::blends_overlap, to_vec(target.point(v)));
+          return;
+        }
+        moves[v] = to;
+      }
+      for (const auto& [v, to] : region.border)
+        if (!inner.count(v)) moves.emplace(v, to);
+    }
+    std::vector<Vertex> moved;
+    for (const auto& [v, to] : moves) {
+      target.point(v) = to_point(to);
+      moved.push_back(v);
+    }
+    finish(target, moved, result);
+    if (result.diagnosis.ok()) result.outcome.blend_faces = result.outcome.changed_faces;
+  }
+
+  /// Vertices of the body that no face that stays, and no remnant of one, has as a corner.
+  [[nodiscard]] std::unordered_set<Vertex> vertices_between(const Blend_mesh& work, const Trimming& trimming) const {
+    const std::unordered_set<Face> removed(trimming.removed.begin(), trimming.removed.end());
+    std::unordered_set<Vertex> kept, between;
+    for (const Triangle& t : trimming.remnants) kept.insert(t.begin(), t.end());
+    for (const Face f : trimming.removed)
+      for (const Vertex v : work.vertices_around_face(work.halfedge(f))) {
+        if (kept.count(v) || between.count(v)) continue;
+        bool goes = true;
+        for (const Face g : work.faces_around_target(work.halfedge(v))) goes = goes && removed.count(g) != 0;
+        (goes ? between : kept).insert(v);
+      }
+    return between;
+  }
+
+  void finish(const Blend_mesh& work, const std::vector<Vertex>& moved, Assembly& result) {
+    result.outcome = finish_body(body_, work, result.mesh, moved);
     aside_.validate += result.outcome.times.validate;
     aside_.copy += result.outcome.times.copy;
-    // New faces come last, in the order in which they were added.
-    const std::size_t first = result.mesh.number_of_faces() - added.size();
-    for (std::size_t k = remnants; k < added.size(); ++k)
-      result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(first + k)));
     result.diagnosis = result.outcome.diagnosis;
     if (!result.diagnosis.ok()) {
       const Vec at = result.diagnosis.point ? to_vec(*result.diagnosis.point) : jobs_.front().curve.points.front();
@@ -371,66 +449,12 @@ class Engine {
   const Fillet_body& body_;
   const Fillet_options& options_;
   std::unordered_set<Edge> creases_;
-  std::map<std::tuple<std::size_t, int, double>, std::unique_ptr<Base_surface>> surfaces_;
+  std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
   Stage_times aside_;  // what is no part of blending, over all tries
 };
 
-/// Elements of a body in the order they are handed out: those of the bases first, in their order.
-struct Order {
-  std::vector<Vertex> vertices;
-  std::vector<Face> faces;
-  std::size_t kept_faces = 0;
-};
-
-Order output_order(const Fillet_body& body, const Blend_mesh& mesh) {
-  Order order;
-  std::vector<bool> listed(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), false);
-  const auto list = [&](Vertex v) {
-    if (v == Blend_mesh::null_vertex() || mesh.is_removed(v) || listed[v.idx()]) return;
-    listed[v.idx()] = true;
-    order.vertices.push_back(v);
-  };
-  for (int operand = 0; operand < 2; ++operand)
-    if (body.base[operand])
-      for (const Vertex v : body.base[operand]->vertices()) list(body.cells.vertex(operand, v));
-  for (const Vertex v : mesh.vertices()) list(v);
-  const std::size_t old_faces = body.mesh->number_of_faces();
-  std::vector<Face> changed;
-  std::vector<std::pair<Cell_map::Cell, Face>> kept;
-  for (const Face f : mesh.faces()) {
-    if (f.idx() < old_faces && body.cells.whole(f, mesh))
-      kept.push_back({body.cells.cell(f), f});
-    else
-      changed.push_back(f);
-  }
-  if (!std::is_sorted(kept.begin(), kept.end())) std::sort(kept.begin(), kept.end());
-  for (const auto& [cell, face] : kept) order.faces.push_back(face);
-  order.kept_faces = order.faces.size();
-  order.faces.insert(order.faces.end(), changed.begin(), changed.end());
-  return order;
-}
-
 }  // namespace
-
-Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blend_mesh& out) {
-  Fillet_outcome outcome;
-  Stopwatch copying;
-  const Order order = output_order(body, mesh);
-  outcome.kept_faces = order.kept_faces;
-  Reordered result = reorder(mesh, order.vertices, order.faces);
-  for (std::size_t i = order.kept_faces; i < order.faces.size(); ++i)
-    outcome.changed_faces.push_back(Face(static_cast<std::uint32_t>(i)));
-  outcome.times.copy = copying.milliseconds();
-  Stopwatch watch;
-  const Validity_report report = validate_changes(result.mesh, outcome.changed_faces);
-  outcome.times.validate = watch.milliseconds();
-  outcome.diagnosis = report.diagnosis;
-  outcome.volume = report.volume;
-  outcome.area = report.area;
-  out = std::move(result.mesh);
-  return outcome;
-}
 
 Fillet_outcome fillet_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                            const Fillet_options& options) {

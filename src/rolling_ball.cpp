@@ -4,6 +4,7 @@
 #include "ball_solver.h"
 #include "refusal.h"
 #include "spine_guess.h"
+#include "spine_loops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,14 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double widest_gap = 3;      // of the coarsest step: farther apart, positions are not joined
+constexpr double widest_gap = 3;  // of the coarsest step: farther apart, positions are not joined
 constexpr int deepest_split = 12;
 constexpr std::size_t fewest_positions = 6;
+constexpr std::size_t most_loops = 64;
 
 /// Contacts must go forward with the centre, or the profiles of neighbours would cross.
 bool goes_forward(const Ball_position& a, const Ball_position& b) {
+  if (a.mended || b.mended) return true;  // nearest points may rest, or jump over what the ball does not reach
   const Vec step = b.center - a.center;
   const double least = 0.02 * step.squaredNorm();
   return step.squaredNorm() > 0 && (b.contact[0] - a.contact[0]).dot(step) > least &&
@@ -25,8 +28,8 @@ bool goes_forward(const Ball_position& a, const Ball_position& b) {
 }
 
 double step_length(const Ball_position& a, const Ball_position& b) {
-  return std::max({(b.center - a.center).norm(), (b.contact[0] - a.contact[0]).norm(),
-                   (b.contact[1] - a.contact[1]).norm()});
+  return std::max(
+      {(b.center - a.center).norm(), (b.contact[0] - a.contact[0]).norm(), (b.contact[1] - a.contact[1]).norm()});
 }
 
 double off_chord(const Vec& a, const Vec& b, const Vec& p) {
@@ -36,7 +39,8 @@ double off_chord(const Vec& a, const Vec& b, const Vec& p) {
 }
 
 double chord_error(const Ball_position& a, const Ball_position& b, const Ball_position& middle) {
-  return std::max({off_chord(a.center, b.center, middle.center), off_chord(a.contact[0], b.contact[0], middle.contact[0]),
+  return std::max({off_chord(a.center, b.center, middle.center),
+                   off_chord(a.contact[0], b.contact[0], middle.contact[0]),
                    off_chord(a.contact[1], b.contact[1], middle.contact[1])});
 }
 
@@ -48,6 +52,7 @@ class Roller {
     blocked_.reset();
     Ball_path path;
     std::vector<Ball_position> positions = solve_all(guesses);
+    if (const auto bad = cut_loops(positions, path.loops)) return *bad;
     drop_backward(positions);
     if (positions.size() < fewest_positions) return failed(guesses.front().point);
     if (const auto gap = find_gap(positions)) return failed(*gap);
@@ -61,6 +66,7 @@ class Roller {
     }
     if (blocked_) return failed(*blocked_);
     drop_backward(path.positions);
+    if (const auto bad = cut_loops(path.positions, path.loops)) return *bad;
     return path;
   }
 
@@ -85,6 +91,26 @@ class Roller {
         failure_ = guess.point;
     }
     return positions;
+  }
+
+  /// Mends a spine that crosses itself; returns the refusal if that is not possible or not wanted.
+  std::optional<Ball_path> cut_loops(std::vector<Ball_position>& positions, std::size_t& loops) const {
+    for (std::size_t round = 0; round < most_loops; ++round) {
+      const auto crossing = find_crossing(positions, solver_.radius());
+      if (!crossing) return std::nullopt;
+      std::optional<std::vector<Ball_position>> mended;
+      if (sampling_.mend_loops)
+        mended = cut_loop(positions, *crossing, {&solver_.surface(0), &solver_.surface(1)}, solver_.radius(),
+                          2 * sampling_.finest * solver_.radius());
+      if (!mended) {
+        Ball_path path;
+        path.diagnosis = refusal(Status::radius_exceeds_curvature, crossing->point);
+        return path;
+      }
+      positions = std::move(*mended);
+      ++loops;
+    }
+    return std::nullopt;
   }
 
   void drop_backward(std::vector<Ball_position>& positions) const {
@@ -117,10 +143,17 @@ class Roller {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool is_fine(const Ball_position& a, const Ball_position& b, const Ball_position& middle) const {
+    const double length = step_length(a, b), error = chord_error(a, b, middle);
+    if (sampling_.samples == 0 && length > sampling_.coarsest * solver_.radius()) return false;
+    if (sampling_.chord_ratio > 0) return error <= sampling_.chord_ratio * length;
+    return sampling_.samples > 0 || error <= sampling_.tolerance * solver_.radius();
+  }
+
   void split(const Ball_position& a, const Ball_position& b, int depth, std::vector<Ball_position>& out) {
     const double radius = solver_.radius();
     const double length = step_length(a, b);
-    if (depth >= deepest_split || length < 2 * sampling_.finest * radius) return;
+    if (a.mended || b.mended || depth >= deepest_split || length < 2 * sampling_.finest * radius) return;
     const Ball_guess guess{(a.center + b.center) / 2, (b.center - a.center).normalized(), a.foot};
     Ball_solution solution = solver_.solve(guess);
     if (!solution.position) {
@@ -136,7 +169,7 @@ class Roller {
     const Ball_position middle = *solution.position;
     if (!goes_forward(a, middle) || !goes_forward(middle, b)) return;
     if (step_length(a, middle) > 2 * length || step_length(middle, b) > 2 * length) return;
-    if (length <= sampling_.coarsest * radius && chord_error(a, b, middle) <= sampling_.tolerance * radius) return;
+    if (is_fine(a, b, middle)) return;
     split(a, middle, depth + 1, out);
     out.push_back(middle);
     split(middle, b, depth + 1, out);
@@ -161,12 +194,15 @@ Sampling sampling(double chord_tolerance) {
   return {chord_tolerance, facet, std::min(6 * facet, std::max(1.0, 2 * facet)), facet};
 }
 
-Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, double radius,
-                    const Sampling& sampling) {
+Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
+                    double radius, const Sampling& wanted) {
   const Ball_solver solver(surfaces, curve.convex ? -radius : radius);
   const Curve_locator locator(curve.points);
+  Sampling sampling = wanted;
+  if (sampling.samples > 0) sampling.coarsest = locator.length() / static_cast<double>(sampling.samples) / radius;
   const double step = sampling.coarsest * radius;
   Roller roller(solver, sampling);
+  if (kind == Curve_kind::round) return roller.roll(guess_beyond_round(solver, curve, step), locator);
   const std::vector<Ball_guess> guesses = guess_from_offsets(solver, curve, locator, step);
   if (!guesses.empty()) {
     Ball_path path = roller.roll(guesses, locator);

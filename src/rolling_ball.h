@@ -17,14 +17,18 @@ struct Ball_position {
   Vec center;
   std::array<Surface_point, 2> foot;
   std::array<Vec, 2> contact;
+  bool mended = false;  ///< of a joint over a loop of the spine: the contacts are the nearest points
 };
 
 /// How finely the ball's way is sampled; lengths as fractions of the radius.
 struct Sampling {
-  double tolerance;  ///< largest distance between polylines of centres, of contacts, and the true curves
-  double finest;     ///< shortest step that is looked into
-  double coarsest;   ///< longest step
-  double spacing;    ///< least distance of positions that are kept, from `finest` up
+  double tolerance;         ///< largest distance between polylines of centres, of contacts, and the true curves
+  double finest;            ///< shortest step that is looked into
+  double coarsest;          ///< longest step
+  double spacing;           ///< least distance of positions that are kept, from `finest` up
+  std::size_t samples = 0;  ///< first positions, spread by arc length; 0: as `coarsest` asks for
+  double chord_ratio = 0;  ///< chord height over chord length above which a step is divided; 0: as `tolerance` asks for
+  bool mend_loops = true;  ///< cut loops off where the spine crosses itself, or refuse
 };
 
 /// Returns the sampling that belongs to a chord tolerance: steps from one to several facets of the arc.
@@ -34,16 +38,24 @@ struct Sampling {
 struct Ball_path {
   Diagnosis diagnosis;
   std::vector<Ball_position> positions;
+  std::size_t loops = 0;  ///< cut off where the spine crossed itself
+};
+
+/// What a blending curve is.
+enum class Curve_kind {
+  crease,  ///< a sharp edge between the base surfaces
+  round    ///< the middle of a round; the base surfaces are those beyond it
 };
 
 /// Rolls a ball along a closed blending curve.
 ///
 /// The intersection of the offset patches is the first guess, with exact topology; where offsets that cross themselves
 /// leave no closed loop along the curve, the planar wedge at each point of the curve is. Each position is then the
-/// solution of x_0(u) = x_1(v) on the exact offsets p + d n/|n|, in a plane across the guess.
+/// solution of x_0(u) = x_1(v) on the exact offsets p + d n/|n|, in a plane across the guess. Where the spine turns more
+/// sharply than the ball it crosses itself; such loops are cut off and the ends joined (`cut_loop`).
 /// \param surfaces the base surfaces left and right of the curve; may be the same object
-Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, double radius,
-                    const Sampling& sampling);
+Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
+                    double radius, const Sampling& sampling);
 
 }  // namespace cgal_blend
 

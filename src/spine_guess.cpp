@@ -3,6 +3,8 @@
 
 #include "offset_intersection.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
@@ -16,6 +18,7 @@ constexpr double patch_stretch = 1.5;
 constexpr double patch_margin = 0.75;  // of the radius
 constexpr double patch_limit = 12;     // of the radius
 constexpr std::size_t fewest_guesses = 16;
+constexpr double beyond_round = 1.2;  // radii from the middle of a round; at right angles its end is at most 0.79 away
 
 Surface_point foot_beside(const Ball_solver& solver, const Blend_curve& curve, std::size_t edge, int side,
                           const Vec& at) {
@@ -165,6 +168,30 @@ std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend
     guess.direction = (arc.mean(s + spacing, window) - arc.mean(s - spacing, window)).normalized();
     guess.point = arc.mean(s, window) +
                   solver.distance() * (normal[0] + normal[1]) / std::max(0.05, 1 + normal[0].dot(normal[1]));
+    guesses.push_back(guess);
+  }
+  return guesses;
+}
+
+std::vector<Ball_guess> guess_beyond_round(const Ball_solver& solver, const Blend_curve& curve, double step) {
+  const Arc arc(curve.points);
+  const std::size_t n = guess_count(arc.length(), step);
+  const double spacing = arc.length() / static_cast<double>(n);
+  const double window = std::min(solver.radius(), arc.length() / 8);
+  std::vector<Ball_guess> guesses;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double s = spacing * static_cast<double>(i);
+    const std::size_t edge = arc.segment(s);
+    Ball_guess guess;
+    guess.point = arc(s);
+    guess.direction = (arc.mean(s + spacing, window) - arc.mean(s - spacing, window)).normalized();
+    for (int side = 0; side < 2; ++side) {
+      const Surface_point from = foot_beside(solver, curve, edge, side, guess.point);
+      const Vec left = solver.surface(side).frame(from.face).face_normal.cross(guess.direction);
+      guess.foot[side] = solver.surface(side)
+                             .walk(from, (side == 0 ? 1 : -1) * beyond_round * solver.radius() * left.normalized())
+                             .end;
+    }
     guesses.push_back(guess);
   }
   return guesses;

@@ -15,7 +15,13 @@ namespace cgal_blend {
                                                          const Curve_locator& locator, double step);
 
 /// The same from the curve alone: at each sample the ball in the planar wedge of the two surfaces there.
-[[nodiscard]] std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend_curve& curve, double step);
+[[nodiscard]] std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend_curve& curve,
+                                                        double step);
+
+/// The same along the middle of a round: the feet stand as far from the curve as the ball is large, on the surfaces
+/// beyond the round.
+[[nodiscard]] std::vector<Ball_guess> guess_beyond_round(const Ball_solver& solver, const Blend_curve& curve,
+                                                         double step);
 
 /// How often a closed sequence of points goes round the curve, with sign.
 [[nodiscard]] int turns_along(const std::vector<Vec>& points, const Curve_locator& locator);

@@ -74,6 +74,13 @@ Wording wording(Status status) noexcept {
     case S::blends_overlap: return {"blends_overlap", "Two blends run into each other", C::blend};
     case S::blend_collides: return {"blend_collides", "The blend runs into another part of the body", C::blend};
 
+    case S::region_not_annular:
+      return {"region_not_annular",
+              "The faces between the linkage curves form no ring that could be mapped; stitching mode can do without",
+              C::blend};
+    case S::parametrization_folds:
+      return {"parametrization_folds", "The blending region cannot be mapped to a rectangle without folds", C::blend};
+
     case S::result_invalid:
       return {"result_invalid", "The result failed the final check and was withheld; this is a defect of the program",
               C::result};

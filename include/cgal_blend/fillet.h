@@ -3,21 +3,36 @@
 #define CGAL_BLEND_FILLET_H
 
 #include <cgal_blend/blend_mesh.h>
+#include <cgal_blend/profile.h>
 #include <cgal_blend/status.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace cgal_blend {
 
+/// How a blend becomes part of the mesh.
+enum class Blend_mode {
+  stitch,  ///< cut along the linkage curves, with the tessellated blend sewn in: any mesh, exact linkage curves
+  map      ///< connectivity kept, vertices moved onto the blend: as fine as the mesh is between the linkage curves
+};
+
 /// Options of the rolling-ball blends; one set for all curves of a call.
 struct Fillet_options {
-  double radius = 0;             ///< ball radius, length units, > 0
-  double chord_tolerance = 2e-3; ///< largest distance between arc and facets as a fraction of the radius, in [1e-6, 0.3]
-  double smooth_angle = 40;      ///< faces whose normals differ by less belong to one smooth surface, degrees in (0, 180)
-  bool keep_going = false;       ///< leave curves that cannot be blended sharp instead of refusing all
+  double radius = 0;  ///< ball radius, length units, > 0
+  Profile profile;    ///< cross-section; the arc of the ball if not set
+  Blend_mode mode = Blend_mode::stitch;
+  double chord_tolerance =
+      2e-3;                 ///< largest distance between arc and facets as a fraction of the radius, in [1e-6, 0.3]
+  std::size_t samples = 0;  ///< about so many ball positions spread by arc length; 0: as many as the tolerance asks for
+  double chord_ratio =
+      0;  ///< divide steps of the ball whose chord height over chord length is larger, in [0, 1]; 0: by tolerance
+  double smooth_angle = 40;  ///< faces whose normals differ by less belong to one smooth surface, degrees in (0, 180)
+  bool mend_spine = true;   ///< where the spine crosses itself, cut the loop off and join the ends, instead of refusing
+  bool keep_going = false;  ///< leave curves that cannot be blended sharp instead of refusing all
 
   /// Called with a fraction in [0,1] from time to time; return false to cancel.
   std::function<bool(double)> progress;
@@ -28,30 +43,33 @@ enum class Boolean_operation { union_, intersection, difference };
 /// What became of one blending curve.
 struct Blend_report {
   Diagnosis diagnosis;
-  std::size_t edges = 0;     ///< edges of the blending curve
+  std::size_t edges = 0;  ///< edges of the blending curve
   bool closed = true;
-  bool convex = false;       ///< true: material removed; false: material added
+  bool convex = false;  ///< true: material removed; false: material added
   double radius = 0;
-  double radius_error = 0;   ///< largest | |x - spine| - r | / r over the new vertices
-  double tangency_deg = 0;   ///< largest angle across the linkage curves between the blend's tangent plane and the base face, degrees
+  double radius_error = 0;  ///< largest | |x - spine| - r | / r over the linkage curves, joints over loops apart
+  double tangency_deg =
+      0;  ///< largest angle across the linkage curves between the blend's tangent plane and the base face, degrees
+  std::size_t loops = 0;  ///< loops of the spine that were cut off
+  double coarseness = 0;  ///< map mode: largest distance of the blend from the facets that stand for it / r
 };
 
 /// Wall-clock times of the stages, milliseconds.
 struct Stage_times {
   double boolean = 0;
-  double blend = 0;     ///< all that blending takes, but for copying the mesh
-  double copy = 0;      ///< copying the whole mesh and putting it in order: linear in its size, whatever is blended
+  double blend = 0;  ///< all that blending takes, but for copying the mesh
+  double copy = 0;   ///< copying the whole mesh and putting it in order: linear in its size, whatever is blended
   double validate = 0;
 };
 
 /// A blend of one mesh as the engines produce it.
 struct Fillet_outcome {
-  Diagnosis diagnosis;                ///< `ok`, or the first refusal; then the output mesh is left empty
-  std::vector<Blend_report> blends;   ///< one per blending curve, in the order of the curves
-  std::vector<Face> blend_faces;      ///< faces of the transition surfaces
-  std::vector<Face> changed_faces;    ///< every face that is not a face of the input, blend faces included
-  std::size_t kept_faces = 0;         ///< faces bit-identical to faces of the input, order kept
-  double volume = 0, area = 0;        ///< of the output
+  Diagnosis diagnosis;               ///< `ok`, or the first refusal; then the output mesh is left empty
+  std::vector<Blend_report> blends;  ///< one per blending curve, in the order of the curves
+  std::vector<Face> blend_faces;     ///< faces of the transition surfaces
+  std::vector<Face> changed_faces;   ///< every face that is not a face of the input, blend faces included
+  std::size_t kept_faces = 0;        ///< faces bit-identical to faces of the input, order kept
+  double volume = 0, area = 0;       ///< of the output
   Stage_times times;
 
   [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
@@ -62,19 +80,21 @@ template <class Graph>
 struct Edge_blend_of {
   std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;  ///< of the input mesh, in any order
   double radius = 0;                                                        ///< 0: the radius of the options
+  std::optional<Profile> profile{};  ///< none: the profile of the options
 };
 using Edge_blend = Edge_blend_of<Blend_mesh>;
 
 /// The engines, for input that is known to be valid (`validate`); the overloads of fillet_graphs.h check it first.
 namespace unchecked {
 
-/// Blends edges of a mesh with a rolling ball (stitching mode, circular arc).
+/// Blends edges of a mesh with a rolling ball. With the sharp profile, edges along the middle of a round are taken for
+/// the round itself: the radius must be larger than the round's, and the round is replaced by a sharp edge.
 /// \param mesh closed, 2-manifold, outward oriented, without self-intersections: checked by the caller (`validate`)
 /// \param out receives the result; vertices and faces of the input that are kept come first, in their order
 /// Refuses by name in the outcome; never throws for bad data, never changes `mesh`.
-/// Source: Liu et al., Mesh blending, The Visual Computer 21 (2005), sections 3 and 4.
-[[nodiscard]] Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, Blend_mesh& out,
-                                          const Fillet_options& options);
+/// Source: Liu et al., Mesh blending, The Visual Computer 21 (2005), sections 3 to 6.
+[[nodiscard]] Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends,
+                                          Blend_mesh& out, const Fillet_options& options);
 
 /// Computes a boolean of two meshes and blends their intersection curves; radius 0 leaves the curves sharp.
 /// Faces of `a` that are kept come first in `out`, then those of `b`, then new ones.

@@ -96,7 +96,7 @@ Fillet_result<Graph> refused(Diagnosis diagnosis, const Stage_times& times) {
 
 }  // namespace internal
 
-/// Blends edges of a mesh with a rolling ball (stitching mode, circular arc). See the engine in `unchecked`.
+/// Blends edges of a mesh with a rolling ball. See the engine in `unchecked`.
 /// \tparam Graph, Output models of `MutableFaceGraph` and `FaceListGraph` with points of any Cartesian kernel;
 ///         exact coordinates are rounded to double
 /// \param mesh a triangle mesh, checked by `validate` unless the options say otherwise; indices in messages count its
@@ -115,7 +115,7 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
     return internal::refused<Output>(std::move(bad), times);
   std::vector<Edge_blend> copied_blends;
   for (const Edge_blend_of<Graph>& blend : blends) {
-    copied_blends.push_back({{}, blend.radius});
+    copied_blends.push_back({{}, blend.radius, blend.profile});
     for (const auto e : blend.edges) copied_blends.back().edges.push_back(copy.copy_of_edge(e));
   }
   Blend_mesh result;

@@ -43,6 +43,9 @@ enum class Status {
   no_rolling_ball,
   blends_overlap,
   blend_collides,
+  // Mapping.
+  region_not_annular,
+  parametrization_folds,
   // A result that breaks the promise of validity is never handed out.
   result_invalid
 };

@@ -49,7 +49,7 @@ Blend_request read_request(const Json& json, const std::string& where) {
   if (json.contains("radius")) request.radius = read_radius(json["radius"], where);
   if (json.contains("profile")) {
     if (!json["profile"].is_string()) malformed(where, "'profile' must be a word");
-    require_arc_profile(json["profile"].get<std::string>(), where);
+    request.profile = parse_profile(json["profile"].get<std::string>(), where);
   }
   return request;
 }

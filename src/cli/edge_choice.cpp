@@ -49,13 +49,13 @@ std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const std::vecto
   for (const Blend_request& request : requests) {
     const std::string where = in_quotes(path) + ", blend " + std::to_string(blends.size() + 1);
     if (request.points.empty()) {
-      blends.push_back({edges_along(mesh, request.vertices, where), request.radius});
+      blends.push_back({edges_along(mesh, request.vertices, where), request.radius, request.profile});
       continue;
     }
     if (!locate) locate.emplace(mesh);
     const Edge_chain<Blend_mesh> edges = edges_of_polyline(mesh, request.points, *locate);
     if (!edges.ok()) throw Failure(edges.diagnosis, where);
-    blends.push_back({edges.edges, request.radius});
+    blends.push_back({edges.edges, request.radius, request.profile});
   }
   return blends;
 }
@@ -77,7 +77,7 @@ std::vector<Edge_blend> chosen_edges(const Edge_choice& choice, const std::vecto
   const std::vector<Edge> edges =
       choice.sharp_angle ? creases(mesh, *choice.sharp_angle) : selected_edges(mesh, choice.edges_file);
   if (edges.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}});
-  return {{edges, 0}};
+  return {{edges, 0, {}}};
 }
 
 }  // namespace cgal_blend::cli

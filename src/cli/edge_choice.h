@@ -25,6 +25,7 @@ struct Blend_request {
   std::vector<std::size_t> vertices;
   std::vector<Point_3> points;
   double radius = 0;  ///< 0: the radius of the command line
+  std::optional<Profile> profile{};  ///< none: the profile of the command line
 };
 
 /// Reads a blends file; throws `Failure`: input if it is no such file, usage or blend for values not accepted.

@@ -7,8 +7,9 @@ namespace cgal_blend::cli {
 
 Fillet_options Ball_options::checked() const {
   Fillet_options options = fillet;
-  require_arc_profile(profile, "--profile");
-  require_stitch_mode(mode);
+  options.profile = parse_profile(profile, "--profile");
+  options.mode = parse_mode(mode);
+  if (samples > 0) options.samples = static_cast<std::size_t>(samples);
   if (radius) options.radius = parse_radius(*radius);
   return options;
 }
@@ -44,18 +45,26 @@ void add_ball_options(CLI::App& command, Ball_options& options) {
   const auto given = [&options](const std::string& text) { options.radius = text; };
   command.add_option_function<std::string>("--radius", given, "Radius of the ball, length units of the mesh")
       ->type_name("R");
-  command.add_option("--profile", options.profile, "Cross-section of the blend: arc")
+  command.add_option("--profile", options.profile, "Cross-section of the blend: arc, chamfer, conic:W0, sharp, g2, hermite[:M1,M2] or bspline:X,Y;X,Y;...")
       ->capture_default_str()
       ->type_name("NAME");
-  command.add_option("--mode", options.mode, "How the blend is joined to the mesh: stitch")
+  command.add_option("--mode", options.mode, "How the blend is joined to the mesh: stitch (cut and sewn in) or map (connectivity kept, vertices moved)")
       ->capture_default_str()
       ->type_name("NAME");
   add_number(command, "--chord-tolerance", options.fillet.chord_tolerance, 1e-6, 0.3, false,
              "Largest distance between arc and facets, as a fraction of the radius [0.002]")
       ->type_name("F");
+  add_number(command, "--samples", options.samples, 0, 1e6, false,
+             "About so many profiles along each curve, 0: as the chord tolerance asks for [0]")
+      ->type_name("N");
+  add_number(command, "--chord-ratio", options.fillet.chord_ratio, 0, 1, false,
+             "Divide steps of the ball whose chord height over length is larger, 0: by the chord tolerance [0]")
+      ->type_name("F");
   add_number(command, "--smooth-angle", options.fillet.smooth_angle, 0, 180, true,
              "Faces whose normals differ by less belong to one smooth surface [40]")
       ->type_name("DEG");
+  const auto leave = [&options](std::int64_t) { options.fillet.mend_spine = false; };
+  command.add_flag_function("--no-mend", leave, "Refuse where the ball's path crosses itself, instead of joining over the loop");
   command.add_flag("--keep-going", options.fillet.keep_going,
                    "Leave curves sharp that cannot be blended; blend the others");
 }

@@ -21,11 +21,15 @@ Json blend_json(const Blend_report& blend) {
                {"radius", blend.radius},
                {"max_radius", nullptr},
                {"radius_error", nullptr},
-               {"tangency_deg", nullptr}};
+               {"tangency_deg", nullptr},
+               {"loops", nullptr},
+               {"coarseness", nullptr}};
   if (diagnosis.max_radius) json["max_radius"] = *diagnosis.max_radius;
   if (diagnosis.ok()) {  // a curve that was left sharp has no such figures
     json["radius_error"] = blend.radius_error;
     json["tangency_deg"] = blend.tangency_deg;
+    json["loops"] = blend.loops;
+    if (blend.coarseness > 0) json["coarseness"] = blend.coarseness;  // mapped
   }
   return json;
 }

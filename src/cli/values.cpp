@@ -22,11 +22,6 @@ bool is_radius_list(const std::string& text) {
   return true;
 }
 
-bool is_conic(const std::string& profile) {
-  const std::string prefix = "conic:";
-  return profile.compare(0, prefix.size(), prefix) == 0 && parse_number(profile.substr(prefix.size())).has_value();
-}
-
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
@@ -59,16 +54,70 @@ void require_radius(double radius, const std::string& subject) {
   if (!(std::isfinite(radius) && radius > 0)) throw usage_failure(subject + ": the radius must be greater than 0");
 }
 
-void require_arc_profile(const std::string& profile, const std::string& subject) {
-  if (profile == "arc") return;
-  if (profile == "chamfer" || profile == "sharp" || profile == "g2" || is_conic(profile))
-    throw unsupported_failure(subject + ": the profile '" + profile + "'");
-  throw usage_failure(subject + ": unknown profile '" + profile + "'; known: arc, chamfer, conic:W0, sharp, g2");
+namespace {
+
+std::vector<double> profile_numbers(const std::string& text, const std::string& subject) {
+  std::vector<double> numbers;
+  for (const std::string& part : split(text, ",", true)) {
+    const auto number = parse_number(part);
+    if (!number) throw usage_failure(subject + ": '" + part + "' is not a number");
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
-void require_stitch_mode(const std::string& mode) {
-  if (mode == "stitch") return;
-  if (mode == "map") throw unsupported_failure("--mode: 'map'");
+Profile conic_profile(const std::string& values, const std::string& subject) {
+  if (values == "inf") return sharp_profile();
+  const std::vector<double> numbers = profile_numbers(values, subject);
+  if (numbers.size() != 1 || numbers[0] < 0)
+    throw usage_failure(subject + ": conic:W0 takes one weight of 0 or more, or inf");
+  return Conic_profile{numbers[0]};
+}
+
+Profile hermite_profile(const std::string& values, const std::string& subject) {
+  const std::vector<double> numbers = profile_numbers(values, subject);
+  if (numbers.size() != 2 || !(numbers[0] > 0) || !(numbers[1] > 0))
+    throw usage_failure(subject + ": hermite:M1,M2 takes two speeds greater than 0");
+  return Hermite_profile{numbers[0], numbers[1]};
+}
+
+Profile bspline_profile(const std::string& values, const std::string& subject) {
+  std::vector<std::array<double, 2>> points;
+  for (const std::string& pair : split(values, ";", true)) {
+    const std::vector<double> numbers = profile_numbers(pair, subject);
+    if (numbers.size() != 2) throw usage_failure(subject + ": '" + pair + "' is no control point X,Y");
+    points.push_back({numbers[0], numbers[1]});
+  }
+  const std::size_t degree = std::min<std::size_t>(3, points.size() - 1);
+  if (!Bspline_profile::is_valid(points, degree))
+    throw usage_failure(subject + ": a B-spline needs two control points or more, from 0,0 to 1,1");
+  return Bspline_profile(points, degree);
+}
+
+}  // namespace
+
+Profile parse_profile(const std::string& text, const std::string& subject) {
+  const std::size_t colon = text.find(':');
+  const std::string word = text.substr(0, colon);
+  if (colon == std::string::npos) {
+    if (word == "arc") return Arc_profile();
+    if (word == "chamfer") return chamfer_profile();
+    if (word == "sharp") return sharp_profile();
+    if (word == "g2") return G2_profile();
+    if (word == "hermite") return Hermite_profile();
+  } else {
+    const std::string values = text.substr(colon + 1);
+    if (word == "conic") return conic_profile(values, subject);
+    if (word == "hermite") return hermite_profile(values, subject);
+    if (word == "bspline") return bspline_profile(values, subject);
+  }
+  throw usage_failure(subject + ": unknown profile '" + text +
+                      "'; known: arc, chamfer, conic:W0, sharp, g2, hermite[:M1,M2], bspline:X,Y;X,Y;...");
+}
+
+Blend_mode parse_mode(const std::string& mode) {
+  if (mode == "stitch") return Blend_mode::stitch;
+  if (mode == "map") return Blend_mode::map;
   throw usage_failure("--mode: unknown mode '" + mode + "'; known: stitch, map");
 }
 

@@ -2,6 +2,8 @@
 #ifndef CGAL_BLEND_CLI_VALUES_H
 #define CGAL_BLEND_CLI_VALUES_H
 
+#include <cgal_blend/fillet.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,11 +24,12 @@ namespace cgal_blend::cli {
 /// Throws `Failure` unless the radius is a finite number > 0; `subject` begins the message.
 void require_radius(double radius, const std::string& subject);
 
-/// Throws `Failure` unless the profile is the circular arc: usage for an unknown word, unsupported for the others.
-void require_arc_profile(const std::string& profile, const std::string& subject);
+/// Returns the profile that `text` spells: arc, chamfer, conic:W0, sharp, g2, hermite[:M1,M2], bspline:X,Y;X,Y;...
+/// Throws `Failure` (usage) for anything else; `subject` begins the message.
+[[nodiscard]] Profile parse_profile(const std::string& text, const std::string& subject);
 
-/// Throws `Failure` unless the mode is stitching.
-void require_stitch_mode(const std::string& mode);
+/// Returns the mode that `text` names; throws `Failure` (usage).
+[[nodiscard]] Blend_mode parse_mode(const std::string& mode);
 
 }  // namespace cgal_blend::cli
 

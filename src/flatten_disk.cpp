@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flatten_disk.h"
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <utility>
+
+namespace cgal_blend {
+
+namespace {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+/// CGAL's border parameterizer concept for places that are known already.
+class Given_border {
+ public:
+  explicit Given_border(const std::vector<Point_2>& places) : places_(&places) {}
+
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  SMP::Error_code parameterize(const Blend_mesh& mesh, Halfedge border, VertexUVMap uv, VertexIndexMap,
+                               VertexParameterizedMap parameterized) {
+    for (const Halfedge h : CGAL::halfedges_around_face(border, mesh)) {
+      put(uv, mesh.target(h), (*places_)[mesh.target(h).idx()]);
+      put(parameterized, mesh.target(h), true);
+    }
+    return SMP::OK;
+  }
+  [[nodiscard]] bool is_border_convex() const { return true; }
+
+ private:
+  const std::vector<Point_2>* places_;
+};
+
+using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
+using Solver = CGAL::Eigen_solver_traits<Eigen::SparseLU<Matrix>>;
+using Conformal = SMP::Discrete_conformal_map_parameterizer_3<Blend_mesh, Given_border, Solver>;
+using Mean_value = SMP::Mean_value_coordinates_parameterizer_3<Blend_mesh, Given_border, Solver>;
+using Uv_map = Blend_mesh::Property_map<Vertex, Point_2>;
+
+bool is_fold_free(const Blend_mesh& mesh, const Uv_map& uv) {
+  const auto faces = mesh.faces();
+  return std::all_of(faces.begin(), faces.end(), [&](Face f) {
+    const Halfedge h = mesh.halfedge(f);
+    return CGAL::orientation(uv[mesh.source(h)], uv[mesh.target(h)], uv[mesh.target(mesh.next(h))]) == CGAL::LEFT_TURN;
+  });
+}
+
+template <class Parameterizer>
+bool flatten(Blend_mesh& disk, const std::vector<Point_2>& places, Uv_map uv) {
+  const auto halfedges = disk.halfedges();
+  const auto border = std::find_if(halfedges.begin(), halfedges.end(), [&](Halfedge h) { return disk.is_border(h); });
+  return border != halfedges.end() &&
+         SMP::parameterize(disk, Parameterizer(Given_border(places)), *border, uv) == SMP::OK && is_fold_free(disk, uv);
+}
+
+}  // namespace
+
+std::optional<Flat_disk> flatten_disk(Blend_mesh& disk, const std::vector<Point_2>& border) {
+  const Uv_map uv = disk.add_property_map<Vertex, Point_2>("v:uv").first;
+  Flat_disk flat;
+  if (!flatten<Conformal>(disk, border, uv)) {
+    flat.mean_value = true;
+    if (!flatten<Mean_value>(disk, border, uv)) return std::nullopt;
+  }
+  for (const Vertex v : disk.vertices()) flat.points.push_back(uv[v]);
+  return flat;
+}
+
+}  // namespace cgal_blend

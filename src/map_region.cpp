@@ -1,0 +1,550 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "map_region.h"
+
+#include "blend_curve.h"
+#include "flatten_disk.h"
+#include "refusal.h"
+
+#include <CGAL/boost/graph/iterator.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <set>
+#include <unordered_map>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr double border_slack = 0.08;  // share of even spacing in the border's parameters: keeps them apart
+constexpr int relaxations = 12;        // Laplacian sweeps in the plane
+constexpr double border_reach = 0.4;   // of the shortest edge: border vertices nearer to the linkage curve move onto it
+constexpr int border_steps = 3;        // Taubin steps along the linkage curve
+constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
+constexpr double least_upright = 0.5;  // cosine between a face's normals before and after its border vertex moved
+
+/// The annulus of faces around the curve, cut open to a disk. Disk vertices are classes of corners that hang together
+/// over edges inside the region, so that vertices on the cut, and those that the border touches twice, come apart.
+class Mapper {
+ public:
+  Mapper(const Blend_mesh& mesh, const std::vector<Vertex>& curve, const std::unordered_set<Vertex>& between,
+         const Virtual_surface& surface, const std::vector<Ball_position>& positions)
+      : mesh_(mesh),
+        curve_(curve),
+        between_(between),
+        surface_(surface),
+        positions_(positions),
+        linkage_{Curve_locator(contacts(positions, 0)), Curve_locator(contacts(positions, 1))} {}
+
+  Region_mapping run() {
+    const bool ring = collect_interior() && collect_faces() && collect_borders() && cut();
+    if (!ring) return refuse(Status::region_not_annular);
+    build_disk();
+    if (!place_border()) return refuse(Status::region_not_annular);
+    auto flat = flatten_disk(disk_, places_);
+    if (!flat) return refuse(Status::parametrization_folds);
+    result_.mean_value = flat->mean_value;
+    flat_ = std::move(flat->points);
+    relax();
+    place_interior();
+    draw_border_in();
+    result_.faces.assign(faces_.begin(), faces_.end());
+    return std::move(result_);
+  }
+
+ private:
+  static std::vector<Vec> contacts(const std::vector<Ball_position>& positions, int side) {
+    std::vector<Vec> points;
+    for (const Ball_position& p : positions) points.push_back(p.contact[side]);
+    return points;
+  }
+
+  Region_mapping refuse(Status status) const {
+    Region_mapping refused;
+    refused.diagnosis = refusal(status, to_vec(mesh_.point(curve_.front())));
+    return refused;
+  }
+
+  // The region.
+
+  /// Inner vertices hang together with the curve; others between the linkage curves are left where they are.
+  bool collect_interior() {
+    std::vector<Vertex> stack;
+    for (const Vertex v : curve_)
+      if (between_.count(v) && interior_.insert(v).second) stack.push_back(v);
+    if (stack.size() != curve_.size() || curve_.size() < 3) return false;
+    for (std::size_t i = 0; i < stack.size(); ++i)
+      for (const Vertex v : mesh_.vertices_around_target(mesh_.halfedge(stack[i])))
+        if (between_.count(v) && interior_.insert(v).second) stack.push_back(v);
+    return true;
+  }
+
+  /// All faces at inner vertices, by the side of the curve that they lie on.
+  bool collect_faces() {
+    std::vector<Face> stack;
+    const auto add = [&](Face f, int side) {
+      if (faces_.count(f) || !touches_interior(f)) return;
+      faces_.insert(f);
+      side_[f] = side;
+      stack.push_back(f);
+    };
+    std::set<Edge> curve_edges;
+    for (std::size_t i = 0; i < curve_.size(); ++i) {
+      const Halfedge h = mesh_.halfedge(curve_[i], curve_[(i + 1) % curve_.size()]);
+      if (h == Blend_mesh::null_halfedge()) return false;
+      curve_edges.insert(mesh_.edge(h));
+      add(mesh_.face(h), 0);
+      add(mesh_.face(mesh_.opposite(h)), 1);
+    }
+    for (std::size_t i = 0; i < stack.size(); ++i)
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(stack[i]))) {
+        if (curve_edges.count(mesh_.edge(h))) continue;
+        const Face other = mesh_.face(mesh_.opposite(h));
+        if (faces_.count(other) && side_[other] != side_[stack[i]]) return false;
+        add(other, side_[stack[i]]);
+      }
+    // Nothing that an inner vertex touches may have been left out.
+    for (const Vertex v : interior_)
+      for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v)))
+        if (!faces_.count(f)) return false;
+    return true;
+  }
+
+  [[nodiscard]] bool touches_interior(Face f) const {
+    for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
+      if (interior_.count(v)) return true;
+    return false;
+  }
+
+  [[nodiscard]] bool inside(Halfedge h) const { return faces_.count(mesh_.face(h)) != 0; }
+  [[nodiscard]] bool on_border(Halfedge h) const { return inside(h) && !inside(mesh_.opposite(h)); }
+
+  /// The border halfedge after one that lies in the region.
+  [[nodiscard]] Halfedge next_on_border(Halfedge h) const {
+    Halfedge g = mesh_.next(h);
+    while (inside(mesh_.opposite(g))) g = mesh_.next(mesh_.opposite(g));
+    return g;
+  }
+
+  /// One loop on either side, and the Euler characteristic of an annulus.
+  bool collect_borders() {
+    std::set<Halfedge> seen;
+    for (const Face f : faces_)
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
+        if (!on_border(h) || seen.count(h)) continue;
+        std::vector<Halfedge>& loop = borders_[side_[f]];
+        if (!loop.empty()) return false;
+        Halfedge g = h;
+        do {
+          if (side_[mesh_.face(g)] != side_[f] || !seen.insert(g).second) return false;
+          loop.push_back(g);
+          g = next_on_border(g);
+        } while (g != h);
+      }
+    if (borders_[0].empty() || borders_[1].empty()) return false;
+    const std::size_t border = borders_[0].size() + borders_[1].size();
+    const std::size_t edges = (3 * faces_.size() + border) / 2;
+    return interior_.size() + border + faces_.size() == edges;  // each border halfedge stands for one vertex
+  }
+
+  // Splitting.
+
+  /// Cuts along the shortest path between the border vertices nearest to the ends of the longest profile.
+  bool cut() {
+    longest_ = 0;
+    double length = -1;
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+      if (positions_[i].mended) continue;
+      const double size = surface_.profile_length(i);
+      if (size <= length) continue;
+      length = size;
+      longest_ = i;
+    }
+    std::array<Halfedge, 2> ends;
+    for (int side = 0; side < 2; ++side) {
+      const auto distance = [&](Halfedge h) {
+        return (to_vec(mesh_.point(mesh_.target(h))) - positions_[longest_].contact[side]).squaredNorm();
+      };
+      ends[side] = *std::min_element(borders_[side].begin(), borders_[side].end(),
+                                     [&](Halfedge a, Halfedge b) { return distance(a) < distance(b); });
+    }
+    return shortest_path(ends);
+  }
+
+  /// Dijkstra over inner vertices, from the fan of faces behind one border halfedge to that behind the other.
+  bool shortest_path(const std::array<Halfedge, 2>& ends) {
+    std::map<Vertex, Halfedge> last;  // edges into the second end
+    for_fan(ends[1], [&](Halfedge h) {
+      if (interior_.count(mesh_.source(h))) last.emplace(mesh_.source(h), h);
+    });
+    std::unordered_map<Vertex, std::pair<double, Halfedge>> best;
+    using Item = std::pair<double, Halfedge>;
+    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+    for_fan(ends[0], [&](Halfedge h) { queue.push({length(h), mesh_.opposite(h)}); });
+    Vertex arrived;
+    double shortest = 0;
+    while (!queue.empty()) {
+      const auto [far, h] = queue.top();
+      queue.pop();
+      if (arrived != Blend_mesh::null_vertex() && far >= shortest) break;
+      const Vertex v = mesh_.target(h);
+      if (!interior_.count(v) || !best.emplace(v, Item{far, h}).second) continue;
+      if (const auto end = last.find(v); end != last.end()) {
+        const double total = far + length(end->second);
+        if (arrived == Blend_mesh::null_vertex() || total < shortest) {
+          shortest = total;
+          arrived = v;
+        }
+      }
+      for (const Halfedge g : mesh_.halfedges_around_target(h)) queue.push({far + length(g), mesh_.opposite(g)});
+    }
+    if (arrived == Blend_mesh::null_vertex()) return false;
+    path_.push_back(last.at(arrived));
+    for (Vertex v = arrived; interior_.count(v); v = mesh_.source(path_.back())) path_.push_back(best.at(v).second);
+    std::reverse(path_.begin(), path_.end());
+    for (const Halfedge h : path_) cut_.insert(mesh_.edge(h));
+    return true;
+  }
+
+  /// Calls for every halfedge inside the region that ends where a border halfedge does, in the same fan.
+  template <class Function>
+  void for_fan(Halfedge border, const Function& call) const {
+    for (Halfedge h = border; inside(mesh_.opposite(mesh_.next(h)));) {
+      h = mesh_.opposite(mesh_.next(h));
+      call(h);
+    }
+  }
+
+  [[nodiscard]] double length(Halfedge h) const {
+    return (to_vec(mesh_.point(mesh_.target(h))) - to_vec(mesh_.point(mesh_.source(h)))).norm();
+  }
+
+  // The disk.
+
+  [[nodiscard]] bool joined(Halfedge h) const { return inside(mesh_.opposite(h)) && !cut_.count(mesh_.edge(h)); }
+
+  /// The first corner of the fan that a corner of the region belongs to; a corner is the halfedge that ends in it.
+  [[nodiscard]] Halfedge fan_of(Halfedge corner) const {
+    Halfedge h = corner, least = corner;
+    while (joined(h)) {  // h is the edge to the neighbour on one side
+      h = mesh_.prev(mesh_.opposite(h));
+      if (h == corner) return least;
+      least = std::min(least, h);
+    }
+    return h;  // first one after a border or cut edge
+  }
+
+  void build_disk() {
+    for (const Face f : faces_)
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
+        const Halfedge fan = fan_of(h);
+        const auto [at, is_new] = fan_vertex_.emplace(fan, Vertex(static_cast<std::uint32_t>(origin_.size())));
+        corner_[h] = at->second;
+        if (!is_new) continue;
+        origin_.push_back(mesh_.target(h));
+        disk_.add_vertex(mesh_.point(mesh_.target(h)));
+      }
+    for (const Face f : faces_) {
+      const Halfedge h = mesh_.halfedge(f);
+      disk_.add_face(corner_[h], corner_[mesh_.next(h)], corner_[mesh_.next(mesh_.next(h))]);
+    }
+  }
+
+  // The rectangle: t runs along the curve, the height is 1 on the left and 0 on the right.
+
+  [[nodiscard]] double parameter_at(int side, const Vec& p) const {
+    const Curve_locator::Nearest near = linkage_[side].nearest(p);
+    const std::size_t i = near.segment, j = (i + 1) % positions_.size();
+    const Vec a = positions_[i].contact[side], chord = positions_[j].contact[side] - a;
+    const double size = chord.squaredNorm();
+    const double s = size > 0 ? std::clamp((p - a).dot(chord) / size, 0.0, 1.0) : 0;
+    return surface_.start(i) + s * (surface_.start(i + 1) - surface_.start(i));
+  }
+
+  bool place_border() {
+    if (disk_.number_of_faces() != faces_.size()) return false;
+    places_.assign(origin_.size(), Point_2(0, 0));
+    t_.assign(origin_.size(), 0);
+    for (int side = 0; side < 2; ++side)
+      if (!place_side(side)) return false;
+    place_cut();
+    return true;
+  }
+
+  /// Parameters along one side, increasing: the nearest of the linkage curve, evened out.
+  bool place_side(int side) {
+    // The border in the direction of the curve, from the cut once around to the cut.
+    std::vector<Halfedge> loop = borders_[side];
+    const Halfedge start = side == 0 ? mesh_.opposite(path_.front()) : path_.back();
+    const auto at_cut = [&](Halfedge h) { return mesh_.target(h) == mesh_.target(start) && ends_at_cut(h); };
+    const auto first = std::find_if(loop.begin(), loop.end(), at_cut);
+    if (first == loop.end()) return false;
+    std::rotate(loop.begin(), first + 1, loop.end());  // now the last one arrives at the cut
+    const std::size_t n = loop.size();
+    std::vector<double> t(n + 1), even(n + 1, 0);
+    const double whole = surface_.length(), zero = surface_.start(longest_);
+    const double direction = side == 0 ? -1 : 1;  // left of the curve the border runs backward
+    for (std::size_t k = 1; k < n; ++k) {
+      const double raw = parameter_at(side, to_vec(mesh_.point(mesh_.target(loop[k - 1])))) - zero;
+      double along = direction * raw - t[k - 1];
+      along -= whole * std::round(along / whole);
+      t[k] = t[k - 1] + along;
+    }
+    t[n] = whole;
+    for (std::size_t k = 0; k <= n; ++k) t[k] = std::clamp(t[k], 0.0, whole);
+    make_monotone(t);
+    for (std::size_t k = 1; k <= n; ++k) even[k] = even[k - 1] + length(loop[k - 1]);
+    for (std::size_t k = 0; k <= n; ++k) {
+      const double along = (1 - border_slack) * t[k] + border_slack * whole * even[k] / even[n];
+      // A border vertex k stands between halfedges k - 1 and k; both ends of the row are copies of the cut's end.
+      const Vertex v = k < n ? corner_source(loop[k]) : corner_.at(loop[n - 1]);
+      put(v, side == 0 ? whole - along : along, side == 0 ? 1 : 0);
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool ends_at_cut(Halfedge border) const {
+    bool found = false;
+    for_fan(border, [&](Halfedge h) { found = found || cut_.count(mesh_.edge(h)) != 0; });
+    return found;
+  }
+
+  [[nodiscard]] Vertex corner_source(Halfedge h) const { return corner_.at(mesh_.prev(h)); }
+
+  void put(Vertex v, double t, double height) {
+    t_[v.idx()] = t;
+    places_[v.idx()] = Point_2(t, height);
+  }
+
+  /// Replaces stretches that run backward by their mean (pool adjacent violators), the ends kept.
+  static void make_monotone(std::vector<double>& t) {
+    struct Pool {
+      double sum;
+      std::size_t size;
+      [[nodiscard]] double mean() const { return sum / static_cast<double>(size); }
+    };
+    std::vector<Pool> pools;
+    for (std::size_t k = 1; k + 1 < t.size(); ++k) {
+      pools.push_back({t[k], 1});
+      while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+        const Pool top = pools.back();
+        pools.pop_back();
+        pools.back() = {pools.back().sum + top.sum, pools.back().size + top.size};
+      }
+    }
+    std::size_t k = 1;
+    for (const Pool& pool : pools)
+      for (std::size_t i = 0; i < pool.size; ++i) t[k++] = pool.mean();
+  }
+
+  /// Heights along the cut, in proportion to length from linkage curve to linkage curve; equal on both copies.
+  void place_cut() {
+    std::vector<Vec> points;
+    for (std::size_t k = 0; k <= path_.size(); ++k)
+      points.push_back(k == 0              ? positions_[longest_].contact[0]
+                       : k == path_.size() ? positions_[longest_].contact[1]
+                                           : to_vec(mesh_.point(mesh_.source(path_[k]))));
+    std::vector<double> far{0};
+    for (std::size_t k = 1; k < points.size(); ++k) far.push_back(far.back() + (points[k] - points[k - 1]).norm());
+    for (std::size_t k = 0; k + 1 < path_.size(); ++k) {
+      const double height = 1 - far[k + 1] / far.back();
+      // The cut runs from left to right: the faces left of it, seen along it, lie ahead of it (t = 0).
+      put(corner_.at(path_[k]), 0, height);
+      put(corner_source(mesh_.opposite(path_[k])), surface_.length(), height);
+    }
+  }
+
+  // Relaxation in the plane, the cut closed again.
+
+  struct Neighbour {
+    Vertex vertex;  // of the disk
+    double shift;   // of t
+  };
+
+  void relax() {
+    // One list of disk copies per inner vertex.
+    std::map<Vertex, std::vector<Vertex>> copies;
+    for (const auto& [fan, v] : fan_vertex_)
+      if (interior_.count(origin_[v.idx()])) copies[origin_[v.idx()]].push_back(v);
+    const double across = width();
+    for (int sweep = 0; sweep < relaxations; ++sweep)
+      for (const auto& [v, disk_vertices] : copies) relax_vertex(disk_vertices, across);
+    if (!surface_.kinks().empty())
+      for (const Vertex v : curve_) onto_kink(copies.at(v));
+  }
+
+  [[nodiscard]] double width() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < positions_.size(); i += 4) sum += surface_.profile_length(i);
+    return sum / static_cast<double>((positions_.size() + 3) / 4);
+  }
+
+  [[nodiscard]] Vec flat(Vertex v, double shift, double across) const {
+    return {flat_[v.idx()].x() + shift, flat_[v.idx()].y() * across, 0};
+  }
+
+  /// Shifts that bring the copies of a vertex to the place of the first.
+  [[nodiscard]] double shift_of(const std::vector<Vertex>& copies, std::size_t k) const {
+    return k == 0 ? 0
+                  : std::round((flat_[copies[0].idx()].x() - flat_[copies[k].idx()].x()) / surface_.length()) *
+                        surface_.length();
+  }
+
+  void relax_vertex(const std::vector<Vertex>& copies, double across) {
+    Vec sum = Vec::Zero();
+    double weight = 0;
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      const double shift = shift_of(copies, k);
+      for (const Vertex v : disk_.vertices_around_target(disk_.halfedge(copies[k]))) {
+        const Vec to = flat(v, shift, across);
+        const double w = (to - flat(copies[0], 0, across)).norm();  // long edges pull harder
+        sum += w * to;
+        weight += w;
+      }
+    }
+    if (weight > 0) move(copies, Point_2(sum.x() / weight, sum.y() / weight / across));
+  }
+
+  void onto_kink(const std::vector<Vertex>& copies) {
+    const Point_2 at = flat_[copies[0].idx()];
+    double nearest = 2;
+    for (const double kink : surface_.kinks())
+      if (std::abs(1 - kink - at.y()) < std::abs(nearest - at.y())) nearest = 1 - kink;
+    move(copies, Point_2(at.x(), nearest));
+  }
+
+  /// Moves all copies of a vertex, unless a face would fold.
+  void move(const std::vector<Vertex>& copies, const Point_2& to) {
+    std::vector<Point_2> old;
+    bool upright = true;
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      old.push_back(flat_[copies[k].idx()]);
+      const double shift = shift_of(copies, k);
+      places_[copies[k].idx()] = Point_2(to.x() - shift, to.y());
+    }
+    for (const Vertex v : copies) flat_[v.idx()] = places_[v.idx()];
+    for (const Vertex v : copies)
+      for (const Halfedge h : disk_.halfedges_around_target(disk_.halfedge(v))) {
+        if (disk_.is_border(h)) continue;
+        upright = upright && CGAL::orientation(flat_[disk_.source(h).idx()], flat_[v.idx()],
+                                               flat_[disk_.target(disk_.next(h)).idx()]) == CGAL::LEFT_TURN;
+      }
+    if (upright) return;
+    for (std::size_t k = 0; k < copies.size(); ++k) flat_[copies[k].idx()] = old[k];
+  }
+
+  // Back into space.
+
+  [[nodiscard]] Vec on_surface(const Point_2& at) const {
+    return surface_(at.x() + surface_.start(longest_), std::clamp(1 - at.y(), 0.0, 1.0));
+  }
+
+  void place_interior() {
+    std::set<Vertex> placed;
+    for (std::size_t i = 0; i < origin_.size(); ++i) {
+      if (!interior_.count(origin_[i]) || !placed.insert(origin_[i]).second) continue;
+      result_.interior.emplace_back(origin_[i], on_surface(flat_[i]));
+    }
+  }
+
+  /// Border vertices near their linkage curve move onto it; a few Taubin steps along it even them out.
+  void draw_border_in() {
+    for (int side = 0; side < 2; ++side) {
+      const std::vector<Halfedge>& loop = borders_[side];
+      std::vector<std::optional<double>> t;  // per border vertex that moves
+      for (const Halfedge h : loop)
+        t.push_back(is_drawn(h, side) ? std::optional(parameter_at(side, to_vec(mesh_.point(mesh_.target(h)))))
+                                      : std::nullopt);
+      for (int step = 0; step < border_steps; ++step)
+        for (const double factor : {taubin_lambda, taubin_mu}) smooth(t, factor);
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        if (!t[k]) continue;
+        const Vec to = surface_(*t[k], side);
+        if (stays_upright(loop[k], to)) result_.border.emplace_back(mesh_.target(loop[k]), to);
+      }
+    }
+  }
+
+  void smooth(std::vector<std::optional<double>>& t, double factor) const {
+    const auto old = t;
+    const double whole = surface_.length();
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      const auto &before = old[k == 0 ? t.size() - 1 : k - 1], &after = old[(k + 1) % t.size()];
+      if (!old[k] || !before || !after) continue;
+      const auto step = [&](double to) { return std::remainder(to - *old[k], whole); };
+      *t[k] += factor * (step(*before) + step(*after)) / 2;
+    }
+  }
+
+  /// Near enough, and inside a smooth part of the surface that the linkage curve runs over.
+  [[nodiscard]] bool is_drawn(Halfedge border, int side) const {
+    const Vertex v = mesh_.target(border);
+    const Vec at = to_vec(mesh_.point(v));
+    double shortest = -1;
+    for (const Halfedge h : mesh_.halfedges_around_target(border))
+      if (shortest < 0 || length(h) < shortest) shortest = length(h);
+    if ((surface_(parameter_at(side, at), side) - at).norm() > border_reach * shortest) return false;
+    Vec normal = Vec::Zero();
+    for (const Face f : mesh_.faces_around_target(border)) normal += face_normal(f);
+    for (const Face f : mesh_.faces_around_target(border))
+      if (face_normal(f).dot(normal.normalized()) < least_upright) return false;
+    int borders = 0;  // a vertex that the border touches twice has two places to go to
+    for (const Halfedge h : mesh_.halfedges_around_target(border)) borders += on_border(h) ? 1 : 0;
+    return borders == 1;
+  }
+
+  [[nodiscard]] Vec face_normal(Face f) const {
+    const Halfedge h = mesh_.halfedge(f);
+    return normal_of(to_vec(mesh_.point(mesh_.source(h))), to_vec(mesh_.point(mesh_.target(h))),
+                     to_vec(mesh_.point(mesh_.target(mesh_.next(h)))));
+  }
+
+  static Vec normal_of(const Vec& a, const Vec& b, const Vec& c) { return (b - a).cross(c - a).stableNormalized(); }
+
+  [[nodiscard]] bool stays_upright(Halfedge border, const Vec& to) const {
+    for (const Halfedge h : mesh_.halfedges_around_target(border)) {
+      if (inside(h)) continue;
+      const Vec moved =
+          normal_of(to_vec(mesh_.point(mesh_.source(h))), to, to_vec(mesh_.point(mesh_.target(mesh_.next(h)))));
+      if (moved.dot(face_normal(mesh_.face(h))) < least_upright) return false;
+    }
+    return true;
+  }
+
+  const Blend_mesh& mesh_;
+  const std::vector<Vertex>& curve_;
+  const std::unordered_set<Vertex>& between_;
+  const Virtual_surface& surface_;
+  const std::vector<Ball_position>& positions_;
+  std::array<Curve_locator, 2> linkage_;
+
+  std::set<Vertex> interior_;
+  std::set<Face> faces_;
+  std::unordered_map<Face, int> side_;
+  std::array<std::vector<Halfedge>, 2> borders_;  // halfedges of the region along its left and right border
+  std::size_t longest_ = 0;                       // profile at which the region is cut
+  std::vector<Halfedge> path_;                    // the cut, from left to right
+  std::set<Edge> cut_;
+
+  Blend_mesh disk_;
+  std::map<Halfedge, Vertex> fan_vertex_;
+  std::unordered_map<Halfedge, Vertex> corner_;  // disk vertex at the target
+  std::vector<Vertex> origin_;                   // per disk vertex
+  std::vector<Point_2> places_, flat_;
+  std::vector<double> t_;
+  Region_mapping result_;
+};
+
+}  // namespace
+
+Region_mapping map_region(const Blend_mesh& mesh, const std::vector<Vertex>& curve,
+                          const std::unordered_set<Vertex>& between, const Virtual_surface& surface,
+                          const std::vector<Ball_position>& positions) {
+  return Mapper(mesh, curve, between, surface, positions).run();
+}
+
+}  // namespace cgal_blend

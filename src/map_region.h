@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_MAP_REGION_H
+#define CGAL_BLEND_SRC_MAP_REGION_H
+
+#include "virtual_surface.h"
+
+#include <cgal_blend/status.h>
+
+#include <cstddef>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace cgal_blend {
+
+/// What maps a blending region: connectivity stays, vertices move.
+struct Region_mapping {
+  Diagnosis diagnosis;                           ///< `ok`, `region_not_annular` or `parametrization_folds`
+  std::vector<std::pair<Vertex, Vec>> interior;  ///< vertices between the linkage curves, on the surface
+  std::vector<std::pair<Vertex, Vec>> border;    ///< vertices just outside, drawn onto a linkage curve
+  std::vector<Face> faces;                       ///< of the blending region
+  bool mean_value = false;                       ///< the conformal map folded, mean value coordinates served
+};
+
+/// Maps the region around a closed blending curve onto the virtual blending surface: splits the annulus of all faces at
+/// inner vertices along a shortest path between the ends of the longest profile, maps it to a rectangle whose sides are
+/// the linkage curves (conformal weights; mean value weights where those fold, by exact predicates), relaxes it in the
+/// plane, and places each vertex at S(t, u).
+/// \param curve the vertices of the curve in order, along the positions
+/// \param between vertices that may lie between the linkage curves, those of the curve among them
+/// Source: Liu et al. (2005), section 5; Eck et al. (1995) and Floater (2003) for the weights.
+[[nodiscard]] Region_mapping map_region(const Blend_mesh& mesh, const std::vector<Vertex>& curve,
+                                        const std::unordered_set<Vertex>& between, const Virtual_surface& surface,
+                                        const std::vector<Ball_position>& positions);
+
+}  // namespace cgal_blend
+
+#endif

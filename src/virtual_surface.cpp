@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "virtual_surface.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr std::size_t length_samples = 512;  // of a profile, to spread parameters by length
+constexpr int deepest_row = 10;              // halvings
+constexpr double end_step = 1e-6;            // of the parameter, for tangents at the ends
+
+double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+double off_segment(const Vec& a, const Vec& b, const Vec& p) {
+  const Vec chord = b - a;
+  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (p - a - t * chord).norm();
+}
+
+}  // namespace
+
+Virtual_surface::Virtual_surface(const std::vector<Ball_position>& positions,
+                                 const std::array<const Base_surface*, 2>& surfaces, double radius, Profile profile)
+    : profile_(std::move(profile)), start_{0} {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    sections_.push_back(section_at(positions[i], surfaces, radius));
+    if (sections_[i].frame.angle > sections_[widest_].frame.angle) widest_ = i;
+    const Vec step = positions[(i + 1) % positions.size()].center - positions[i].center;
+    start_.push_back(start_.back() + step.norm());
+  }
+  make_even();
+}
+
+Virtual_surface::Section Virtual_surface::section_at(const Ball_position& position,
+                                                     const std::array<const Base_surface*, 2>& surfaces,
+                                                     double radius) {
+  Section section;
+  section.centre = position.center;
+  section.contact_1 = position.contact[0];
+  section.contact_2 = position.contact[1];
+  const std::array<Vec, 2> arm{position.contact[0] - position.center, position.contact[1] - position.center};
+  section.frame.angle = angle_between(arm[0], arm[1]);
+  // The tangents x.e_i = |e_i| meet in the apex; the two arms may differ in length where a spine was mended.
+  const std::array<double, 2> size{arm[0].norm(), arm[1].norm()};
+  const double c = std::cos(section.frame.angle), s = std::max(1e-12, 1 - c * c);
+  const double ratio = size[1] / size[0];
+  section.apex = position.center + (1 - ratio * c) / s * arm[0] + (1 - c / ratio) / s * arm[1];
+  const Vec axis = arm[0].cross(arm[1]);
+  for (int side = 0; side < 2; ++side) {
+    const Base_surface& surface = *surfaces[side];
+    const Vec across = axis.cross(arm[side]).stableNormalized();
+    const Vec normal = surface.normal(position.foot[side]);
+    const double towards = normal.dot(arm[side]) < 0 ? -1 : 1;  // a convex surface bends towards a ball inside it
+    section.frame.curvature[side] = towards * radius * surface.normal_curvature(position.foot[side], across);
+    section.face_normal[side] = surface.frame(position.foot[side].face).face_normal;
+  }
+  return section;
+}
+
+Vec Virtual_surface::place(const Section& section, const Profile_point& p) {
+  // Around the centre, so that the arc is exact to rounding; the weights sum to 1.
+  return section.centre + p.contact_1 * (section.contact_1 - section.centre) +
+         (p.apex != 0 ? Vec(p.apex * (section.apex - section.centre)) : Vec(Vec::Zero())) +
+         p.contact_2 * (section.contact_2 - section.centre);
+}
+
+/// Spreads the parameters by length, once for all profiles, so that rows correspond.
+void Virtual_surface::make_even() {
+  if (!profile_.is_arc()) {
+    std::vector<double> parameters(profile_.kinks());
+    for (std::size_t k = 0; k <= length_samples; ++k)
+      parameters.push_back(static_cast<double>(k) / static_cast<double>(length_samples));
+    std::sort(parameters.begin(), parameters.end());
+    std::vector<double> length{0};
+    for (std::size_t k = 1; k < parameters.size(); ++k) {
+      const auto at = [&](std::size_t j) {
+        return place(sections_[widest_], profile_(parameters[j], sections_[widest_].frame));
+      };
+      length.push_back(length.back() + (at(k) - at(k - 1)).norm());
+    }
+    const double total = length.back();
+    for (std::size_t k = 0, j = 1; k <= length_samples; ++k) {
+      const double wanted = total * static_cast<double>(k) / static_cast<double>(length_samples);
+      while (j + 1 < length.size() && length[j] < wanted) ++j;
+      const double step = length[j] - length[j - 1];
+      const double part = step > 0 ? std::clamp((wanted - length[j - 1]) / step, 0.0, 1.0) : 0;
+      even_.push_back(parameters[j - 1] + part * (parameters[j] - parameters[j - 1]));
+    }
+    for (const double kink : profile_.kinks()) {
+      const auto at = std::lower_bound(parameters.begin(), parameters.end(), kink) - parameters.begin();
+      // On the nearest sample, so that the corner is met exactly.
+      const auto k = static_cast<std::size_t>(std::lround(length[at] / total * static_cast<double>(length_samples)));
+      even_[k] = kink;
+      kinks_.push_back(static_cast<double>(k) / static_cast<double>(length_samples));
+    }
+  }
+}
+
+double Virtual_surface::even(double u) const {
+  if (even_.empty()) return u;
+  const double at = u * static_cast<double>(length_samples);
+  const auto k = std::min(static_cast<std::size_t>(at), length_samples - 1);
+  return even_[k] + (at - static_cast<double>(k)) * (even_[k + 1] - even_[k]);
+}
+
+Vec Virtual_surface::on_profile(std::size_t i, double u) const {
+  return place(sections_[i], profile_(even(u), sections_[i].frame));
+}
+
+Vec Virtual_surface::operator()(double t, double u) const {
+  t -= length() * std::floor(t / length());
+  const auto upper = std::upper_bound(start_.begin(), start_.end(), t);
+  const std::size_t i = std::min(size(), static_cast<std::size_t>(upper - start_.begin())) - 1;
+  const double step = start_[i + 1] - start_[i];
+  const double s = step > 0 ? (t - start_[i]) / step : 0;
+  return (1 - s) * on_profile(i, u) + s * on_profile((i + 1) % size(), u);
+}
+
+double Virtual_surface::profile_length(std::size_t i) const {
+  constexpr int steps = 8;
+  double length = 0;
+  for (int k = 0; k < steps; ++k)
+    length += (on_profile(i, (k + 1.0) / steps) - on_profile(i, static_cast<double>(k) / steps)).norm();
+  return length;
+}
+
+std::vector<double> Virtual_surface::rows(double tolerance) const {
+  std::vector<double> result{0};
+  const Section& widest = sections_[widest_];
+  if (profile_.is_arc()) {
+    const double facets = std::max(2.0, std::ceil(widest.frame.angle / (2 * std::acos(1 - tolerance)) - 1e-9));
+    for (double k = 1; k <= facets; ++k) result.push_back(k / facets);
+    return result;
+  }
+  const double limit = tolerance * (widest.contact_1 - widest.centre).norm();
+  const std::function<void(double, double, int)> divide = [&](double low, double high, int depth) {
+    constexpr int samples = 8;
+    double off = 0;
+    const Vec a = on_profile(widest_, low), b = on_profile(widest_, high);
+    for (int k = 1; k < samples; ++k)
+      off = std::max(off, off_segment(a, b, on_profile(widest_, low + (high - low) * k / samples)));
+    if (depth < deepest_row && (depth == 0 || off > limit)) {
+      divide(low, (low + high) / 2, depth + 1);
+      divide((low + high) / 2, high, depth + 1);
+    } else {
+      result.push_back(high);
+    }
+  };
+  std::vector<double> stops = kinks_;
+  stops.push_back(1);
+  for (const double stop : stops) divide(result.back(), stop, kinks_.empty() ? 0 : 1);
+  return result;
+}
+
+double Virtual_surface::end_angle(std::size_t i, int side) const {
+  const Section& section = sections_[i];
+  const double u = side == 0 ? end_step : 1 - end_step;
+  const Vec& contact = side == 0 ? section.contact_1 : section.contact_2;
+  const Vec tangent = place(section, profile_(u, section.frame)) - contact;
+  const Vec& normal = section.face_normal[side];
+  return std::atan2(std::abs(tangent.dot(normal)), tangent.cross(normal).norm()) * 180 / pi;
+}
+
+}  // namespace cgal_blend
