@@ -107,6 +107,7 @@ void Corner_normals::average(const Blend_mesh& positions) {
   corner_.resize(mesh_->num_halfedges());
   split_.assign(mesh_->num_halfedges(), 0);
   for (const Vertex v : mesh_->vertices()) {
+    if (mesh_->is_isolated(v)) continue;
     Vec sum = Vec::Zero();
     for (const Halfedge h : mesh_->halfedges_around_target(mesh_->halfedge(v))) {
       const Halfedge first = first_of_fan(h);

@@ -170,7 +170,7 @@ TEST(CoarseLevel, MovesRigidlyWithTheCoarseMesh) {
       EXPECT_EQ(moved.size(), fine.mesh.number_of_vertices());
       double worst = 0;
       for (const auto& [v, p] : moved) worst = std::max(worst, distance(p, motion.transform(fine.mesh.point(v))));
-      EXPECT_LT(worst, 1e-13 * 10) << faces;
+      EXPECT_LT(worst, 1e-12) << faces;
     }
 }
 
@@ -304,6 +304,31 @@ TEST(CoarseLevel, DoesNotTakeTheOtherSideOfAThinWallForItsOwn) {
     } else if (p.z() == 0.01 && std::abs(p.x() - 0.5) < 0.1 && std::abs(p.y() - 0.5) < 0.1) {
       EXPECT_NEAR(result.point(v).z(), 0.03, 1e-3);
     }
+  }
+}
+
+TEST(CoarseLevel, PassesOverVerticesWithoutFaces) {
+  Curved_mesh fine = sphere_pair(4);
+  const Vertex lonely = fine.mesh.add_vertex({5, 5, 5});
+  const Coarse_level level(fine.mesh, fine.curves, 500);
+  const auto moved = level.restore(transformed(level.mesh(), moved_by(1, 0, 0)));
+  EXPECT_EQ(moved.size(), fine.mesh.number_of_vertices());
+  EXPECT_EQ(moved.back(), std::make_pair(lonely, Point_3(6, 5, 5)));
+}
+
+TEST(CoarseLevel, DoesTheSameAtEverySize) {
+  const Curved_mesh fine = sphere_pair(5);
+  const auto bend = [](const Point_3& p) { return Point_3(p.x(), p.y() + 0.1 * p.x() * p.x(), p.z()); };
+  const Coarse_level level(fine.mesh, fine.curves, 1000);
+  const Blend_mesh bent = mapped(level.mesh(), bend), result = restored(fine.mesh, level, bent);
+  for (const double size : {std::pow(2, -10), std::pow(2, 20)}) {  // scaling by powers of two is exact
+    const auto scaled = [&](const Blend_mesh& mesh) {
+      return transformed(mesh, placement({0, 0, 1}, 0, {0, 0, 0}, size));
+    };
+    const Coarse_level other(scaled(fine.mesh), fine.curves, 1000);
+    EXPECT_TRUE(identical(other.mesh(), scaled(level.mesh()))) << size;
+    EXPECT_EQ(other.curves(), level.curves()) << size;
+    EXPECT_TRUE(identical(restored(scaled(fine.mesh), other, scaled(bent)), scaled(result))) << size;
   }
 }
 
