@@ -6,6 +6,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -37,13 +38,14 @@ bool faces_stay(Halfedge h, const Blend_mesh& mesh) {
 
 }  // namespace
 
-void collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& keep) {
+std::vector<std::pair<Vertex, Vertex>> collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& keep) {
   const double limit = squared_limit(mesh);
   const auto is_short = [&](Edge e) {
     return CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) < limit;
   };
   mesh.set_recycle_garbage(false);
   std::vector<Edge> edges;
+  std::vector<std::pair<Vertex, Vertex>> merged;
   for (const Edge e : mesh.edges())
     if (is_short(e)) edges.push_back(e);
   for (const Edge e : edges) {
@@ -53,9 +55,12 @@ void collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& k
     if (!faces_stay(h, mesh)) h = mesh.opposite(h);
     if (!faces_stay(h, mesh)) continue;
     const Point_3 place = mesh.point(mesh.target(h));
+    const std::array<Vertex, 2> ends{mesh.source(h), mesh.target(h)};
     const Vertex left = CGAL::Euler::collapse_edge(mesh.edge(h), mesh);
     mesh.point(left) = place;
+    merged.emplace_back(ends[left == ends[0] ? 1 : 0], left);
   }
+  return merged;
 }
 
 }  // namespace cgal_blend

@@ -5,6 +5,8 @@
 #include <cgal_blend/blend_mesh.h>
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace cgal_blend {
 
@@ -12,7 +14,8 @@ namespace cgal_blend {
 /// edge of one operand passes an edge or vertex of the other within rounding. No face may flip or lose its area.
 /// \param keep true for vertices that stay where they are when the other end can go
 /// Elements are marked as removed; the order of the others stays.
-void collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& keep);
+/// \return the vertices that are gone, each with the one that it was merged into, in the order of the collapses
+std::vector<std::pair<Vertex, Vertex>> collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& keep);
 
 }  // namespace cgal_blend
 

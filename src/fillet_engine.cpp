@@ -21,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -60,13 +61,19 @@ constexpr double rounding_share = 1e-9;
 constexpr double snap_of_radius = 0.01;
 constexpr double snap_of_facet = 0.1;
 
+bool status_is_of_mapping(Status status) {
+  return status == Status::region_not_annular || status == Status::parametrization_folds ||
+         status == Status::region_too_coarse;
+}
+
 /// One branch on its way to becoming a blend.
 struct Job {
   std::vector<Halfedge> halfedges;
   Blend_report report;
   Blend_curve curve;
   std::array<int, 2> operand{};
-  std::size_t level = 0;
+  std::size_t level = 0;    // of smoothing
+  std::size_t attempt = 0;  // at mapping
   bool rolled = false;
   std::optional<Diagnosis> first_failure;
   Profile profile;
@@ -279,7 +286,14 @@ class Engine {
     Job& job = jobs_[blame];
     if (!job.first_failure) job.first_failure = diagnosis;
     job.rolled = false;
-    if (++job.level == smoothings.size()) refuse(job);
+    // Another view of the surfaces changes the ball's way, but not the mesh that has to follow it.
+    if (diagnosis.status == Status::region_too_coarse && ++job.attempt < mapping_attempts) {
+      job.rolled = true;
+      return first_refusal();
+    }
+    const bool mesh_is_to_blame = status_is_of_mapping(diagnosis.status);
+    if (mesh_is_to_blame) job.first_failure = diagnosis;
+    if (mesh_is_to_blame || ++job.level == smoothings.size()) refuse(job);
     return first_refusal();
   }
 
@@ -289,6 +303,7 @@ class Engine {
     job.level = corner_level;
     job.report.diagnosis = *job.first_failure;
     const auto at = job.first_failure->point;
+    if (status_is_of_mapping(job.first_failure->status)) return;
     if (const auto corner = find_corner(job, at ? to_vec(*at) : job.curve.points.front()))
       job.report.diagnosis = refusal(Status::corner, *corner);
   }
@@ -365,11 +380,18 @@ class Engine {
 
   /// Moves the vertices that stitching would remove onto the blends.
   void map(const Blend_mesh& work, const Trimming& trimming, Assembly& result) {
-    const std::unordered_set<Vertex> between = vertices_between(work, trimming);
+    std::unordered_set<Vertex> between = vertices_between(work, trimming);
     Stopwatch watch;
     Blend_mesh target = *body_.mesh;
     aside_.copy += watch.milliseconds();
-    if (!body_.own_surface) collapse_short_edges(target, [&](Vertex v) { return body_.cells.is_original(v); });
+    // As the sharp result is written: same vertices, same faces.
+    std::unordered_map<Vertex, Vertex> merged;
+    if (!body_.own_surface) {
+      const auto collapsed = collapse_short_edges(target, [&](Vertex v) { return body_.cells.is_original(v); });
+      for (auto it = collapsed.rbegin(); it != collapsed.rend(); ++it)
+        merged[it->first] = merged.count(it->second) ? merged[it->second] : it->second;
+    }
+    const auto standing = [&](Vertex v) { return merged.count(v) ? merged.at(v) : v; };
     std::map<Vertex, Vec> moves;
     std::unordered_set<Vertex> inner;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
@@ -377,8 +399,11 @@ class Engine {
       if (!job.rolled) continue;
       std::vector<Vertex> curve;
       for (const Halfedge h : job.halfedges)
-        if (!target.is_removed(body_.mesh->source(h))) curve.push_back(body_.mesh->source(h));
-      const Region_mapping region = map_region(target, curve, between, *job.surface, job.positions);
+        if (const Vertex v = standing(body_.mesh->source(h)); curve.empty() || curve.back() != v) curve.push_back(v);
+      while (curve.size() > 1 && curve.front() == curve.back()) curve.pop_back();
+      between.insert(curve.begin(), curve.end());
+      const Region_mapping region = map_region(target, curve, between, *job.surface, job.positions, job.attempt);
+      job.report.coarseness = region.coarseness / job.report.radius;
       result.diagnosis = region.diagnosis;
       result.blame = i;
       if (!result.diagnosis.ok()) return;
@@ -424,7 +449,9 @@ class Engine {
     if (!result.diagnosis.ok()) {
       const Vec at = result.diagnosis.point ? to_vec(*result.diagnosis.point) : jobs_.front().curve.points.front();
       result.blame = nearest_job(at);
-      if (result.diagnosis.status == Status::input_self_intersecting)
+      if (options_.mode == Blend_mode::map)
+        result.diagnosis = refusal(Status::region_too_coarse, at);
+      else if (result.diagnosis.status == Status::input_self_intersecting)
         result.diagnosis = refusal(Status::blend_collides, at);
       else
         result.diagnosis.status = Status::result_invalid;

@@ -2,6 +2,7 @@
 #include "flatten_disk.h"
 
 #include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
@@ -41,6 +42,7 @@ using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
 using Solver = CGAL::Eigen_solver_traits<Eigen::SparseLU<Matrix>>;
 using Conformal = SMP::Discrete_conformal_map_parameterizer_3<Blend_mesh, Given_border, Solver>;
 using Mean_value = SMP::Mean_value_coordinates_parameterizer_3<Blend_mesh, Given_border, Solver>;
+using Uniform = SMP::Barycentric_mapping_parameterizer_3<Blend_mesh, Given_border, Solver>;
 using Uv_map = Blend_mesh::Property_map<Vertex, Point_2>;
 
 bool is_fold_free(const Blend_mesh& mesh, const Uv_map& uv) {
@@ -61,15 +63,19 @@ bool flatten(Blend_mesh& disk, const std::vector<Point_2>& places, Uv_map uv) {
 
 }  // namespace
 
-std::optional<Flat_disk> flatten_disk(Blend_mesh& disk, const std::vector<Point_2>& border) {
+std::optional<std::vector<Point_2>> flatten_disk(Blend_mesh& disk, const std::vector<Point_2>& border,
+                                                 Flat_weights weights) {
   const Uv_map uv = disk.add_property_map<Vertex, Point_2>("v:uv").first;
-  Flat_disk flat;
-  if (!flatten<Conformal>(disk, border, uv)) {
-    flat.mean_value = true;
-    if (!flatten<Mean_value>(disk, border, uv)) return std::nullopt;
+  bool done = false;
+  switch (weights) {
+    case Flat_weights::conformal: done = flatten<Conformal>(disk, border, uv); break;
+    case Flat_weights::mean_value: done = flatten<Mean_value>(disk, border, uv); break;
+    case Flat_weights::uniform: done = flatten<Uniform>(disk, border, uv); break;
   }
-  for (const Vertex v : disk.vertices()) flat.points.push_back(uv[v]);
-  return flat;
+  if (!done) return std::nullopt;
+  std::vector<Point_2> points;
+  for (const Vertex v : disk.vertices()) points.push_back(uv[v]);
+  return points;
 }
 
 }  // namespace cgal_blend

@@ -11,16 +11,15 @@ namespace cgal_blend {
 
 using Point_2 = Kernel::Point_2;
 
-/// A flat image of a triangulated disk without folds.
-struct Flat_disk {
-  std::vector<Point_2> points;  ///< per vertex
-  bool mean_value = false;      ///< the conformal weights folded it
-};
+enum class Flat_weights { conformal, mean_value, uniform };
 
-/// Maps a disk into the plane with a given convex border: discrete conformal weights, mean value weights where those
-/// fold it (exact orientation of every face). Returns nothing if both do.
+/// Maps a disk into the plane with a given convex border; per vertex its place. Returns nothing if a face would fold
+/// (exact orientation): conformal weights do so on obtuse faces; mean value weights only where faces are too thin for
+/// their angles to be known; uniform weights do not.
 /// \param border per vertex its place if it is a border vertex, counterclockwise; others are ignored
-[[nodiscard]] std::optional<Flat_disk> flatten_disk(Blend_mesh& disk, const std::vector<Point_2>& border);
+/// Source: Eck et al. (1995), Floater (2003), Tutte (1963).
+[[nodiscard]] std::optional<std::vector<Point_2>> flatten_disk(Blend_mesh& disk, const std::vector<Point_2>& border,
+                                                               Flat_weights weights);
 
 }  // namespace cgal_blend
 

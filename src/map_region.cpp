@@ -20,39 +20,54 @@ namespace cgal_blend {
 
 namespace {
 
+constexpr double hop_cost = 1e-3;      // of the longest profile, per edge of the cut
 constexpr double border_slack = 0.08;  // share of even spacing in the border's parameters: keeps them apart
 constexpr int relaxations = 12;        // Laplacian sweeps in the plane
 constexpr double border_reach = 0.4;   // of the shortest edge: border vertices nearer to the linkage curve move onto it
 constexpr int border_steps = 3;        // Taubin steps along the linkage curve
 constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
+constexpr double derivative_step = 1e-3;  // of the parameters
+constexpr double upright = 0.25;          // cosine: faces that lean more are to be untangled
+constexpr int untangle_passes = 40;
 constexpr double least_upright = 0.5;  // cosine between a face's normals before and after its border vertex moved
+
+/// Coarse fans of faces may fold in space whatever the map, because the blend is no longer seen from their apex as the
+/// curve was. Then vertices stay beside their old places, and the whole region moves towards one of the linkage curves.
+struct Slant {
+  bool own_t;       // t of the nearest spine point, not of the map
+  double curve_at;  // mean of u over the curve; 0: as mapped
+};
+constexpr std::array<Slant, mapping_attempts> slants{{{false, 0}, {true, 0}, {true, 0.9}, {true, 0.1}}};
 
 /// The annulus of faces around the curve, cut open to a disk. Disk vertices are classes of corners that hang together
 /// over edges inside the region, so that vertices on the cut, and those that the border touches twice, come apart.
 class Mapper {
  public:
   Mapper(const Blend_mesh& mesh, const std::vector<Vertex>& curve, const std::unordered_set<Vertex>& between,
-         const Virtual_surface& surface, const std::vector<Ball_position>& positions)
+         const Virtual_surface& surface, const std::vector<Ball_position>& positions, std::size_t attempt)
       : mesh_(mesh),
         curve_(curve),
         between_(between),
         surface_(surface),
         positions_(positions),
-        linkage_{Curve_locator(contacts(positions, 0)), Curve_locator(contacts(positions, 1))} {}
+        linkage_{Curve_locator(contacts(positions, 0)), Curve_locator(contacts(positions, 1))},
+        spine_(centers(positions)),
+        slant_(slants[attempt]) {}
 
   Region_mapping run() {
     const bool ring = collect_interior() && collect_faces() && collect_borders() && cut();
     if (!ring) return refuse(Status::region_not_annular);
     build_disk();
     if (!place_border()) return refuse(Status::region_not_annular);
-    auto flat = flatten_disk(disk_, places_);
-    if (!flat) return refuse(Status::parametrization_folds);
-    result_.mean_value = flat->mean_value;
-    flat_ = std::move(flat->points);
+    if (!flatten()) return refuse(Status::parametrization_folds);
     relax();
     place_interior();
     draw_border_in();
+    untangle();
+    for (const auto& [v, on] : on_surface_) result_.interior.emplace_back(v, on.point);
+    for (const auto& [v, to] : border_) result_.border.emplace_back(v, to);
     result_.faces.assign(faces_.begin(), faces_.end());
+    result_.coarseness = coarseness();
     return std::move(result_);
   }
 
@@ -60,6 +75,12 @@ class Mapper {
   static std::vector<Vec> contacts(const std::vector<Ball_position>& positions, int side) {
     std::vector<Vec> points;
     for (const Ball_position& p : positions) points.push_back(p.contact[side]);
+    return points;
+  }
+
+  static std::vector<Vec> centers(const std::vector<Ball_position>& positions) {
+    std::vector<Vec> points;
+    for (const Ball_position& p : positions) points.push_back(p.center);
     return points;
   }
 
@@ -107,10 +128,19 @@ class Mapper {
         if (faces_.count(other) && side_[other] != side_[stack[i]]) return false;
         add(other, side_[stack[i]]);
       }
+    for (const Face f : faces_)  // a vertex in the midst of the region moves with it
+      for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
+        if (!interior_.count(v) && is_enclosed(v)) interior_.insert(v);
     // Nothing that an inner vertex touches may have been left out.
     for (const Vertex v : interior_)
       for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v)))
         if (!faces_.count(f)) return false;
+    return true;
+  }
+
+  [[nodiscard]] bool is_enclosed(Vertex v) const {
+    for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v)))
+      if (!faces_.count(f)) return false;
     return true;
   }
 
@@ -184,7 +214,7 @@ class Mapper {
     std::unordered_map<Vertex, std::pair<double, Halfedge>> best;
     using Item = std::pair<double, Halfedge>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-    for_fan(ends[0], [&](Halfedge h) { queue.push({length(h), mesh_.opposite(h)}); });
+    for_fan(ends[0], [&](Halfedge h) { queue.push({hop(h), mesh_.opposite(h)}); });
     Vertex arrived;
     double shortest = 0;
     while (!queue.empty()) {
@@ -194,13 +224,13 @@ class Mapper {
       const Vertex v = mesh_.target(h);
       if (!interior_.count(v) || !best.emplace(v, Item{far, h}).second) continue;
       if (const auto end = last.find(v); end != last.end()) {
-        const double total = far + length(end->second);
+        const double total = far + hop(end->second);
         if (arrived == Blend_mesh::null_vertex() || total < shortest) {
           shortest = total;
           arrived = v;
         }
       }
-      for (const Halfedge g : mesh_.halfedges_around_target(h)) queue.push({far + length(g), mesh_.opposite(g)});
+      for (const Halfedge g : mesh_.halfedges_around_target(h)) queue.push({far + hop(g), mesh_.opposite(g)});
     }
     if (arrived == Blend_mesh::null_vertex()) return false;
     path_.push_back(last.at(arrived));
@@ -222,6 +252,9 @@ class Mapper {
   [[nodiscard]] double length(Halfedge h) const {
     return (to_vec(mesh_.point(mesh_.target(h))) - to_vec(mesh_.point(mesh_.source(h)))).norm();
   }
+
+  /// Cost of an edge of the cut: a little more than its length, so that three vertices of one face are never on the cut.
+  [[nodiscard]] double hop(Halfedge h) const { return length(h) + hop_cost * surface_.profile_length(longest_); }
 
   // The disk.
 
@@ -256,22 +289,31 @@ class Mapper {
 
   // The rectangle: t runs along the curve, the height is 1 on the left and 0 on the right.
 
-  [[nodiscard]] double parameter_at(int side, const Vec& p) const {
-    const Curve_locator::Nearest near = linkage_[side].nearest(p);
-    const std::size_t i = near.segment, j = (i + 1) % positions_.size();
-    const Vec a = positions_[i].contact[side], chord = positions_[j].contact[side] - a;
+  /// Parameter of the nearest point of a polyline through one point of each ball position.
+  template <class Member>
+  [[nodiscard]] double parameter_on(const Curve_locator& polyline, const Member& point, const Vec& p) const {
+    const std::size_t i = polyline.nearest(p).segment, j = (i + 1) % positions_.size();
+    const Vec a = point(positions_[i]), chord = point(positions_[j]) - a;
     const double size = chord.squaredNorm();
     const double s = size > 0 ? std::clamp((p - a).dot(chord) / size, 0.0, 1.0) : 0;
     return surface_.start(i) + s * (surface_.start(i + 1) - surface_.start(i));
   }
 
+  [[nodiscard]] double parameter_at(int side, const Vec& p) const {
+    return parameter_on(
+        linkage_[side], [side](const Ball_position& b) { return b.contact[side]; }, p);
+  }
+
   bool place_border() {
     if (disk_.number_of_faces() != faces_.size()) return false;
     places_.assign(origin_.size(), Point_2(0, 0));
-    t_.assign(origin_.size(), 0);
     for (int side = 0; side < 2; ++side)
       if (!place_side(side)) return false;
     place_cut();
+    // Between the linkage curves the region is as wide as they are apart, however far its border reaches beyond them.
+    for (const Vertex v : disk_.vertices())
+      if (!interior_.count(origin_[v.idx()]))
+        disk_.point(v) = to_point(surface_(places_[v.idx()].x() + surface_.start(longest_), 1 - places_[v.idx()].y()));
     return true;
   }
 
@@ -315,10 +357,7 @@ class Mapper {
 
   [[nodiscard]] Vertex corner_source(Halfedge h) const { return corner_.at(mesh_.prev(h)); }
 
-  void put(Vertex v, double t, double height) {
-    t_[v.idx()] = t;
-    places_[v.idx()] = Point_2(t, height);
-  }
+  void put(Vertex v, double t, double height) { places_[v.idx()] = Point_2(t, height); }
 
   /// Replaces stretches that run backward by their mean (pool adjacent violators), the ends kept.
   static void make_monotone(std::vector<double>& t) {
@@ -349,13 +388,23 @@ class Mapper {
                        : k == path_.size() ? positions_[longest_].contact[1]
                                            : to_vec(mesh_.point(mesh_.source(path_[k]))));
     std::vector<double> far{0};
-    for (std::size_t k = 1; k < points.size(); ++k) far.push_back(far.back() + (points[k] - points[k - 1]).norm());
+    for (std::size_t k = 1; k < points.size(); ++k)
+      far.push_back(far.back() + (points[k] - points[k - 1]).norm() + border_slack * surface_.profile_length(longest_));
     for (std::size_t k = 0; k + 1 < path_.size(); ++k) {
       const double height = 1 - far[k + 1] / far.back();
       // The cut runs from left to right: the faces left of it, seen along it, lie ahead of it (t = 0).
       put(corner_.at(path_[k]), 0, height);
       put(corner_source(mesh_.opposite(path_[k])), surface_.length(), height);
     }
+  }
+
+  bool flatten() {
+    for (const Flat_weights weights : {Flat_weights::conformal, Flat_weights::mean_value, Flat_weights::uniform})
+      if (auto flat = flatten_disk(disk_, places_, weights)) {
+        flat_ = std::move(*flat);
+        return true;
+      }
+    return false;
   }
 
   // Relaxation in the plane, the cut closed again.
@@ -419,14 +468,14 @@ class Mapper {
 
   /// Moves all copies of a vertex, unless a face would fold.
   void move(const std::vector<Vertex>& copies, const Point_2& to) {
-    std::vector<Point_2> old;
+    std::vector<Point_2> old, next;
     bool upright = true;
     for (std::size_t k = 0; k < copies.size(); ++k) {
       old.push_back(flat_[copies[k].idx()]);
       const double shift = shift_of(copies, k);
-      places_[copies[k].idx()] = Point_2(to.x() - shift, to.y());
+      next.emplace_back(to.x() - shift, to.y());
     }
-    for (const Vertex v : copies) flat_[v.idx()] = places_[v.idx()];
+    for (std::size_t k = 0; k < copies.size(); ++k) flat_[copies[k].idx()] = next[k];
     for (const Vertex v : copies)
       for (const Halfedge h : disk_.halfedges_around_target(disk_.halfedge(v))) {
         if (disk_.is_border(h)) continue;
@@ -439,16 +488,38 @@ class Mapper {
 
   // Back into space.
 
-  [[nodiscard]] Vec on_surface(const Point_2& at) const {
-    return surface_(at.x() + surface_.start(longest_), std::clamp(1 - at.y(), 0.0, 1.0));
-  }
+  struct Placed {
+    double t, u;
+    Vec point;
+  };
+  [[nodiscard]] Placed place(double t, double u) const { return {t, u, surface_(t, u)}; }
 
   void place_interior() {
-    std::set<Vertex> placed;
+    const double bias = slant_.curve_at > 0 ? odds(curve_mean()) / odds(slant_.curve_at) : 1;
     for (std::size_t i = 0; i < origin_.size(); ++i) {
-      if (!interior_.count(origin_[i]) || !placed.insert(origin_[i]).second) continue;
-      result_.interior.emplace_back(origin_[i], on_surface(flat_[i]));
+      const Vertex v = origin_[i];
+      if (!interior_.count(v) || on_surface_.count(v)) continue;
+      const double u = std::clamp(1 - flat_[i].y(), 0.0, 1.0);
+      const double t = slant_.own_t
+                           ? parameter_on(
+                                 spine_, [](const Ball_position& b) { return b.center; }, to_vec(mesh_.point(v)))
+                           : flat_[i].x() + surface_.start(longest_);
+      on_surface_.emplace(v, place(t, u / (u + bias * (1 - u))));
     }
+  }
+
+  static double odds(double share) { return share / (1 - share); }
+
+  /// Mean of u over the curve.
+  [[nodiscard]] double curve_mean() const {
+    const std::set<Vertex> curve(curve_.begin(), curve_.end());
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < origin_.size(); ++i)
+      if (curve.count(origin_[i])) {
+        sum += 1 - flat_[i].y();
+        ++count;
+      }
+    return std::clamp(sum / count, 0.01, 0.99);
   }
 
   /// Border vertices near their linkage curve move onto it; a few Taubin steps along it even them out.
@@ -464,7 +535,7 @@ class Mapper {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         if (!t[k]) continue;
         const Vec to = surface_(*t[k], side);
-        if (stays_upright(loop[k], to)) result_.border.emplace_back(mesh_.target(loop[k]), to);
+        if (stays_upright(loop[k], to)) border_.emplace(mesh_.target(loop[k]), to);
       }
     }
   }
@@ -515,12 +586,120 @@ class Mapper {
     return true;
   }
 
+  // Untangling in space: faces that are large against the ball may fold though their flat images do not.
+
+  [[nodiscard]] Vec position(Vertex v) const {
+    if (const auto on = on_surface_.find(v); on != on_surface_.end()) return on->second.point;
+    const auto drawn = border_.find(v);
+    return drawn != border_.end() ? drawn->second : to_vec(mesh_.point(v));
+  }
+
+  /// The mean of a face's inner vertices.
+  struct Mean_place {
+    double t = 0, u = 0;
+    Vec point = Vec::Zero();
+    int inner = 0;
+  };
+  [[nodiscard]] Mean_place mean_place(Face f) const {
+    Mean_place mean;
+    double first = 0;
+    for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f))) {
+      const auto on = on_surface_.find(v);
+      if (on == on_surface_.end()) continue;
+      if (mean.inner++ == 0) first = on->second.t;
+      mean.t += first + std::remainder(on->second.t - first, surface_.length());
+      mean.u += on->second.u;
+      mean.point += on->second.point;
+    }
+    mean.t /= mean.inner;
+    mean.u /= mean.inner;
+    mean.point /= mean.inner;
+    return mean;
+  }
+
+  /// Unit normal that a face should have: that of the surface at its inner vertices; between it and the old normal for
+  /// faces that reach out of the region.
+  [[nodiscard]] Vec wanted_normal(Face f) const {
+    const Mean_place mean = mean_place(f);
+    const double u = std::clamp(mean.u, derivative_step, 1 - derivative_step);
+    const double dt = derivative_step * surface_.length();
+    const Vec along = surface_(mean.t + dt, u) - surface_(mean.t - dt, u);
+    const Vec across = surface_(mean.t, u + derivative_step) - surface_(mean.t, u - derivative_step);
+    const Vec normal = across.cross(along).stableNormalized();
+    return mean.inner == 3 ? normal : Vec((normal + face_normal(f)).stableNormalized());
+  }
+
+  /// Cosine between the normal that a face has and the one it should have.
+  [[nodiscard]] double uprightness(Face f) const {
+    const Halfedge h = mesh_.halfedge(f);
+    const Vec normal =
+        normal_of(position(mesh_.source(h)), position(mesh_.target(h)), position(mesh_.target(mesh_.next(h))));
+    return normal.dot(wanted_normal(f));
+  }
+
+  [[nodiscard]] double tangle(Vertex v) const {
+    double sum = 0;
+    for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v))) {
+      const double lack = std::max(0.0, upright - uprightness(f));
+      sum += lack * lack;
+    }
+    return sum;
+  }
+
+  void untangle() {
+    for (int pass = 0; pass < untangle_passes; ++pass) {
+      std::set<Vertex> bad;
+      for (const Face f : faces_)
+        if (uprightness(f) < upright)
+          for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
+            if (interior_.count(v)) bad.insert(v);
+      bool improved = false;
+      for (const Vertex v : bad) improved = slide(v) || improved;
+      if (!improved) return;
+    }
+  }
+
+  /// Tries places on the surface around that of a vertex; takes the one with the least tangle.
+  bool slide(Vertex v) {
+    const Placed start = on_surface_.at(v);
+    double shortest = surface_.length();
+    for (const Vertex w : mesh_.vertices_around_target(mesh_.halfedge(v)))
+      if (const auto on = on_surface_.find(w); on != on_surface_.end())
+        shortest = std::min(
+            shortest, std::max(1e-9 * shortest, std::abs(std::remainder(on->second.t - start.t, surface_.length()))));
+    Placed best = start;
+    double least = tangle(v);
+    const double before = least;
+    for (const double a : {0.0, -0.4, 0.4})
+      for (const double b : {0.0, -0.05, 0.05, -0.15, 0.15, -0.3, 0.3, -0.6, 0.6}) {
+        if (a == 0 && b == 0) continue;
+        on_surface_.at(v) = place(start.t + a * shortest, std::clamp(start.u + b, 0.02, 0.98));
+        const double value = tangle(v);
+        if (value >= least * (1 - 1e-3)) continue;
+        least = value;
+        best = on_surface_.at(v);
+      }
+    on_surface_.at(v) = best;
+    return least < before;
+  }
+
+  /// Largest distance of sample points of the surface from the plane triangles that stand for it.
+  [[nodiscard]] double coarseness() const {
+    double largest = 0;
+    for (const Face f : faces_)
+      if (const Mean_place mean = mean_place(f); mean.inner > 1)
+        largest = std::max(largest, (surface_(mean.t, mean.u) - mean.point).norm());
+    return largest;
+  }
+
   const Blend_mesh& mesh_;
   const std::vector<Vertex>& curve_;
   const std::unordered_set<Vertex>& between_;
   const Virtual_surface& surface_;
   const std::vector<Ball_position>& positions_;
   std::array<Curve_locator, 2> linkage_;
+  Curve_locator spine_;
+  const Slant& slant_;
 
   std::set<Vertex> interior_;
   std::set<Face> faces_;
@@ -535,7 +714,8 @@ class Mapper {
   std::unordered_map<Halfedge, Vertex> corner_;  // disk vertex at the target
   std::vector<Vertex> origin_;                   // per disk vertex
   std::vector<Point_2> places_, flat_;
-  std::vector<double> t_;
+  std::map<Vertex, Placed> on_surface_;  // inner vertices
+  std::map<Vertex, Vec> border_;         // border vertices that move
   Region_mapping result_;
 };
 
@@ -543,8 +723,8 @@ class Mapper {
 
 Region_mapping map_region(const Blend_mesh& mesh, const std::vector<Vertex>& curve,
                           const std::unordered_set<Vertex>& between, const Virtual_surface& surface,
-                          const std::vector<Ball_position>& positions) {
-  return Mapper(mesh, curve, between, surface, positions).run();
+                          const std::vector<Ball_position>& positions, std::size_t attempt) {
+  return Mapper(mesh, curve, between, surface, positions, attempt).run();
 }
 
 }  // namespace cgal_blend

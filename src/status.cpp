@@ -80,6 +80,11 @@ Wording wording(Status status) noexcept {
               C::blend};
     case S::parametrization_folds:
       return {"parametrization_folds", "The blending region cannot be mapped to a rectangle without folds", C::blend};
+    case S::region_too_coarse:
+      return {"region_too_coarse",
+              "The mesh is too coarse there for its vertices to be moved onto the blend without folds; refine it, or use "
+              "stitching mode",
+              C::blend};
 
     case S::result_invalid:
       return {"result_invalid", "The result failed the final check and was withheld; this is a defect of the program",

@@ -46,6 +46,7 @@ enum class Status {
   // Mapping.
   region_not_annular,
   parametrization_folds,
+  region_too_coarse,
   // A result that breaks the promise of validity is never handed out.
   result_invalid
 };
