@@ -162,6 +162,35 @@ TEST_F(Cli, CheckPrintsAndReports) {
   }
 }
 
+TEST_F(Cli, CurvatureOfATorus) {
+  write_mesh(path("torus.off"), torus(3, 1, 96, 32));
+  const Run r = run("curvature torus.off -o torus.ply --report report.json");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  EXPECT_NE(r.out, "");
+  EXPECT_TRUE(identical(read_mesh(path("torus.ply")), read_mesh(path("torus.off"))));
+  EXPECT_NE(bytes("torus.ply").find("property double mean_curvature"), std::string::npos);
+  const Json report = json("report.json");
+  const Json& curvature = report["curvature"];
+  EXPECT_NEAR(curvature["max"].get<double>(), (1 + 1 / 4.0) / 2, 0.01);
+  EXPECT_NEAR(curvature["min"].get<double>(), (1 - 1 / 2.0) / 2, 0.01);
+  EXPECT_NEAR(curvature["mean"].get<double>(), 0.47, 0.01);  // of a function of the latitude alone: an integral over it
+  EXPECT_LE(curvature["limit"], curvature["max"]);
+  EXPECT_EQ(report["output"]["faces"], 2 * 96 * 32);
+  ASSERT_EQ(run("curvature torus.off -o wide.ply --limit 100 --quiet --report wide.json").exit, 0);
+  EXPECT_EQ(json("wide.json")["curvature"]["limit"], 100);
+  EXPECT_NE(bytes("wide.ply"), bytes("torus.ply"));
+}
+
+TEST_F(Cli, CurvatureOfABlendIsThatOfItsTorus) {
+  ASSERT_EQ(run("union plate.off boss.off -o out.off --radius 5 --curvature out.ply --report r.json").exit, 0);
+  EXPECT_TRUE(identical(read_mesh(path("out.ply")), read_mesh(path("out.off"))));
+  const Json curvature = json("r.json")["curvature"];
+  EXPECT_LT(curvature["min"].get<double>(), (-1 / 5.0 + 1 / 15.0) / 2 * 0.9) << "the fillet is concave";
+  EXPECT_GT(curvature["max"].get<double>(), 1 / 15.0) << "the plate's edges are convex";
+  ASSERT_EQ(run("fillet cylinder.off --sharp-angle 40 --radius 2 -o out.off --curvature out.ply").exit, 0);
+  EXPECT_TRUE(identical(read_mesh(path("out.ply")), read_mesh(path("out.off"))));
+}
+
 TEST_F(Cli, HelpAndVersion) {
   EXPECT_EQ(run("--version").exit, 0);
   for (const char* word : {"", "union", "fillet", "check"}) {

@@ -37,6 +37,7 @@ class Cli_refusals : public Cli_runner, public testing::WithParamInterface<Refus
     Cli_runner::SetUp();
     write_bad_files();
     write_mesh(path("box.off"), box({0, 0, 0}, {1, 1, 1}));
+    write_mesh(path("box.ply"), box({0, 0, 0}, {1, 1, 1}));
     write_mesh(path("far.off"), box({5, 5, 5}, {6, 6, 6}));
     write_mesh(path("corner.off"), box({1, 1, 1}, {2, 2, 2}));
     write_mesh(path("flush.off"), box({0.5, 0, 0.25}, {2, 0.5, 0.75}));  // lies in the same plane y = 0
@@ -135,6 +136,8 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"TransformTooShort", "union box.off overlap.off -o OUT --transform-b '1 0 0'", 2, "12 numbers", "invalid_parameter"},
   {"TransformNan", "union box.off box.off -o OUT --transform-b '1 0 0 nan 0 1 0 0 0 0 1 0'", 2, "'nan'", "invalid_parameter"},
   {"TransformFlat", "union box.off box.off -o OUT --transform-b '1 0 0 0 0 1 0 0 1 1 0 0'", 2, "flat", "invalid_parameter"},
+  {"LimitZero", "curvature box.off -o c.ply --limit 0", 2, "--limit", "invalid_parameter"},
+  {"LimitText", "curvature box.off -o c.ply --limit wide", 2, "'wide'", "invalid_parameter"},
   {"BlendsRadius", "fillet box.off -o OUT --blends bad_radius.json", 2, "greater than 0", "invalid_parameter"},
   {"BlendsRadiusText", "fillet box.off -o OUT --blends text_radius.json", 2, "not a number", "invalid_parameter"},
   {"BlendsWithoutRadius", "fillet box.off -o OUT --blends no_radius.json", 2, "--radius", "invalid_parameter"}}), name_of);
@@ -145,6 +148,12 @@ INSTANTIATE_TEST_SUITE_P(Output, Cli_refusals, testing::ValuesIn(std::vector<Ref
   {"IsAFolder", "union box.off overlap.off -o folder.off", 2, "folder", "invalid_parameter"},
   {"Protected", "union box.off overlap.off -o protected.off", 2, "protected", "invalid_parameter"},
   {"KernelFolder", "union box.off overlap.off -o /proc/out.off", 2, "/proc/out.off", "*"},
+  {"CurvatureFormat", "curvature box.off -o OUT", 2, ".ply", "invalid_parameter"},
+  {"CurvatureFormatOfABlend", "union box.off overlap.off -o OUT --curvature c.off", 2, "c.off", "invalid_parameter"},
+  {"CurvatureNoFolder", "union box.off overlap.off -o OUT --curvature nowhere/c.ply", 2, "does not exist", "invalid_parameter"},
+  {"CurvatureOverOutput", "union box.off overlap.off -o c.ply --curvature ./c.ply", 2, "replace", "invalid_parameter"},
+  {"CurvatureOverInput", "union box.ply overlap.off -o OUT --curvature box.ply", 2, "replace", "invalid_parameter"},
+  {"ReportOverCurvature", "union box.off overlap.off -o OUT --curvature c.ply --report c.ply", 2, "replace", ""},
   {"ReportNoFolder", "union box.off overlap.off -o OUT --report nowhere/r.json", 2, "does not exist", ""},
   {"ReportOverInput", "union box.off overlap.off -o OUT --report box.off", 2, "box.off", ""},
   {"ReportOverOutput", "union box.off overlap.off -o OUT --report existing.off", 2, "existing.off", ""}}), name_of);
@@ -169,6 +178,7 @@ INSTANTIATE_TEST_SUITE_P(Input, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"FilletToo", "fillet crossing.off --sharp-angle 40 --radius 0.1 -o OUT", 3, "faces", "input_self_intersecting"},
   {"Overflow", "union box.off box.off -o OUT --transform-b '1e308 0 0 1e308 0 1e308 0 1e308 0 0 1e308 1e308'", 3, "finite",
    "input_not_finite"},
+  {"CurvatureMissing", "curvature missing.off -o c.ply", 3, "missing.off", "input_unreadable"},
   {"CheckMissing", "check missing.off", 3, "missing.off", "input_unreadable"},
   {"CheckNotManifold", "check fin.off", 3, "fin.off", "input_not_manifold"},
   {"BlendsMissing", "fillet box.off -o OUT --blends missing.json", 3, "missing.json", "input_unreadable"},

@@ -21,6 +21,7 @@ void add_command(CLI::App& app, int& exit_status, const std::string& word, Boole
   command->add_option("A", options->a, "First body")->type_name("MESH")->required();
   command->add_option("B", options->b, "Second body")->type_name("MESH")->required();
   add_mesh_output(*command, options->output);
+  add_curvature_output(*command, options->output);
   CLI::Option* transform = command->add_option("--transform-b", options->transform_b,
                                                "Places B: 12 numbers \"m00 m01 ... m23\", a 3 x 4 matrix row by row");
   transform->type_name("MATRIX");

@@ -18,11 +18,16 @@ void add_report_options(CLI::App& command, Output_options& options) {
   command.add_flag("--quiet", options.quiet, "No summary and no progress line");
 }
 
-void add_mesh_output(CLI::App& command, Output_options& options) {
-  command.add_option("-o,--output", options.mesh, "Mesh to write: .off, .obj, .ply or .stl")
-      ->required()
-      ->type_name("OUT");
+void add_mesh_output(CLI::App& command, Output_options& options, const std::string& help) {
+  command.add_option("-o,--output", options.mesh, help)->required()->type_name("OUT");
   add_report_options(command, options);
+}
+
+void add_curvature_output(CLI::App& command, Output_options& options) {
+  command
+      .add_option("--curvature", options.curvature,
+                  "Also write the result coloured by mean curvature: blue concave, red convex")
+      ->type_name("FILE.ply");
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,

@@ -13,8 +13,9 @@ namespace cgal_blend::cli {
 
 /// Where results go; the same for every subcommand.
 struct Output_options {
-  std::string mesh;    ///< empty: the subcommand writes no mesh
-  std::string report;  ///< empty: none; "-": standard output
+  std::string mesh;       ///< empty: the subcommand writes no mesh
+  std::string report;     ///< empty: none; "-": standard output
+  std::string curvature;  ///< coloured PLY of the result; empty: none
   bool quiet = false;
 
   [[nodiscard]] bool report_on_stdout() const { return report == "-"; }
@@ -34,7 +35,9 @@ struct Ball_options {
 };
 
 void add_report_options(CLI::App& command, Output_options& options);
-void add_mesh_output(CLI::App& command, Output_options& options);
+void add_mesh_output(CLI::App& command, Output_options& options,
+                     const std::string& help = "Mesh to write: .off, .obj, .ply or .stl");
+void add_curvature_output(CLI::App& command, Output_options& options);
 void add_ball_options(CLI::App& command, Ball_options& options);
 
 /// A numeric option that has to lie between two bounds; the message names them.

@@ -22,6 +22,7 @@ struct Report {
   std::string status = name(Status::ok);
   std::string message = describe(Status::ok);
   Json input, input_b, output;  ///< null until known
+  Json curvature;               ///< null if nobody asked
   Json blends = Json::array();
   double read = 0, check_input = 0, write = 0;  ///< milliseconds
   Stage_times stages;
