@@ -316,7 +316,6 @@ class Engine {
       return result;
     }
     std::vector<Triangle> triangles = std::move(trimming.remnants);
-    const std::size_t remnants = triangles.size();
     for (std::size_t k = 0; k < rims.size(); k += 2) {
       const Job& job = jobs_[rims[k].blend];
       const std::vector<Triangle> strip =
@@ -330,17 +329,18 @@ class Engine {
       result.blame = nearest_job(at);
       return result;
     }
-    finish(work, replacement.faces, remnants, result);
+    finish(work, replacement.faces, trimming.remnant_cells, result);
     return result;
   }
 
-  void finish(const Blend_mesh& work, const std::vector<Face>& added, std::size_t remnants, Assembly& result) {
-    result.outcome = finish_body(body_, work, result.mesh);
+  void finish(const Blend_mesh& work, const std::vector<Face>& added, const std::vector<Cell_map::Cell>& remnant_cells,
+              Assembly& result) {
+    result.outcome = finish_body(body_, work, remnant_cells, result.mesh);
     aside_.validate += result.outcome.times.validate;
     aside_.copy += result.outcome.times.copy;
     // New faces come last, in the order in which they were added.
     const std::size_t first = result.mesh.number_of_faces() - added.size();
-    for (std::size_t k = remnants; k < added.size(); ++k)
+    for (std::size_t k = remnant_cells.size(); k < added.size(); ++k)
       result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(first + k)));
     result.diagnosis = result.outcome.diagnosis;
     if (!result.diagnosis.ok()) {
@@ -411,9 +411,26 @@ Order output_order(const Fillet_body& body, const Blend_mesh& mesh) {
   return order;
 }
 
+/// Which face of the bases each face is a part of; see `Fillet_outcome`. The numbers of cells are just those.
+std::vector<std::uint32_t> origins(const Fillet_body& body, const std::vector<Face>& faces,
+                                   const std::vector<Cell_map::Cell>& remnant_cells) {
+  const std::size_t old_faces = body.mesh->number_of_faces();
+  std::vector<std::uint32_t> result;
+  result.reserve(faces.size());
+  for (const Face f : faces) {
+    const std::size_t added = f.idx() - old_faces;  // wraps for old faces
+    if (f.idx() < old_faces)
+      result.push_back(body.cells.cell(f));
+    else
+      result.push_back(added < remnant_cells.size() ? remnant_cells[added] : no_origin);
+  }
+  return result;
+}
+
 }  // namespace
 
-Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blend_mesh& out) {
+Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh,
+                           const std::vector<Cell_map::Cell>& remnant_cells, Blend_mesh& out) {
   Fillet_outcome outcome;
   Stopwatch copying;
   const Order order = output_order(body, mesh);
@@ -421,6 +438,7 @@ Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blen
   Reordered result = reorder(mesh, order.vertices, order.faces);
   for (std::size_t i = order.kept_faces; i < order.faces.size(); ++i)
     outcome.changed_faces.push_back(Face(static_cast<std::uint32_t>(i)));
+  outcome.origins = origins(body, order.faces, remnant_cells);
   outcome.times.copy = copying.milliseconds();
   Stopwatch watch;
   const Validity_report report = validate_changes(result.mesh, outcome.changed_faces);

@@ -25,7 +25,9 @@ struct Fillet_body {
                                          const Fillet_options& options);
 
 /// Puts a body into `out` as it is, faces in the same order as `fillet_body` has them, and checks it.
-[[nodiscard]] Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blend_mesh& out);
+/// \param remnant_cells of the first faces that `mesh` has beyond those of the body; all others belong to no cell
+[[nodiscard]] Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh,
+                                         const std::vector<Cell_map::Cell>& remnant_cells, Blend_mesh& out);
 
 }  // namespace cgal_blend
 
