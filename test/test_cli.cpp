@@ -112,6 +112,34 @@ TEST_F(Cli, PlacesTheSecondBody) {
   EXPECT_NEAR(union_volume("-1 0 0 3  0 1 0 1  0 0 1 1"), 15, 1e-12) << "a mirrored solid is a solid";
 }
 
+TEST_F(Cli, SeveralBodiesEachWithItsRadius) {
+  write_mesh(path("peg.off"), cylinder(6, 64, -5, 20));
+  const std::string command =
+      "union plate.off boss.off peg.off peg.off --transform-c '1 0 0 35 0 1 0 0 0 0 1 0' "
+      "--transform-d '1 0 0 -35 0 1 0 5 0 0 1 0' -o out.off --report r.json --radius ";
+  const Run r = run(command + "5,2,1");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  expect_valid("out.off");
+  const Json report = json("r.json");
+  EXPECT_EQ(report["input"]["file"], "plate.off");
+  EXPECT_EQ(report["input_b"]["file"], "boss.off");
+  EXPECT_EQ(report["input_c"]["file"], "peg.off");
+  EXPECT_EQ(report["input_d"]["file"], "peg.off");
+  ASSERT_EQ(report["blends"].size(), 3u);
+  for (const auto& [k, radius] : {std::pair(0, 5.0), {1, 2.0}, {2, 1.0}}) {
+    EXPECT_EQ(report["blends"][k]["radius"], radius);
+    EXPECT_EQ(report["blends"][k]["status"], "ok");
+  }
+  EXPECT_GT(report["output"]["untouched_share"].get<double>(), 0);
+  ASSERT_EQ(run(command + "1.5").exit, 0);
+  for (const Json& blend : json("r.json")["blends"]) EXPECT_EQ(blend["radius"], 1.5);
+
+  ASSERT_EQ(run("difference a.off b.off a.off -o out.off --transform-c '1 0 0 -1.5 0 1 0 -1.5 0 0 1 -1.5'").exit, 0);
+  EXPECT_NEAR(volume("out.off"), 6.875, 1e-12);
+  ASSERT_EQ(run("intersection a.off b.off a.off -o out.off --transform-c '1 0 0 .5 0 1 0 .5 0 0 1 -.5'").exit, 0);
+  EXPECT_NEAR(volume("out.off"), 0.5, 1e-12);
+}
+
 TEST_F(Cli, ThreeWaysToChooseEdges) {
   const Blend_mesh mesh = read_mesh(path("cylinder.off"));
   std::string selection = "\n\n", indices, points;

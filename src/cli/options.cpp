@@ -5,12 +5,20 @@
 
 namespace cgal_blend::cli {
 
-Fillet_options Ball_options::checked() const {
-  Fillet_options options = fillet;
+Fillet_options Ball_options::checked_but_radius() const {
   require_arc_profile(profile, "--profile");
   require_stitch_mode(mode);
+  return fillet;
+}
+
+Fillet_options Ball_options::checked() const {
+  Fillet_options options = checked_but_radius();
   if (radius) options.radius = parse_radius(*radius);
   return options;
+}
+
+std::vector<double> Ball_options::checked_radii(std::size_t count) const {
+  return radius ? parse_radii(*radius, count) : std::vector<double>(count, 0);
 }
 
 void add_report_options(CLI::App& command, Output_options& options) {
@@ -45,10 +53,9 @@ CLI::Option* add_number(CLI::App& command, const std::string& flag, double& valu
   return command.add_option_function<std::string>(flag, read, help);
 }
 
-void add_ball_options(CLI::App& command, Ball_options& options) {
+void add_ball_options(CLI::App& command, Ball_options& options, const std::string& radius_help) {
   const auto given = [&options](const std::string& text) { options.radius = text; };
-  command.add_option_function<std::string>("--radius", given, "Radius of the ball, length units of the mesh")
-      ->type_name("R");
+  command.add_option_function<std::string>("--radius", given, radius_help)->type_name("R");
   command.add_option("--profile", options.profile, "Cross-section of the blend: arc")
       ->capture_default_str()
       ->type_name("NAME");
