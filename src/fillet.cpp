@@ -55,7 +55,7 @@ Status sharp_failure(const Boolean_result& sharp) {
 Fillet_outcome sharp_boolean(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out) {
   Blend_mesh mesh = sharp.mesh;
   (void)collapse_short_edges(mesh, [&](Vertex v) { return body.cells.is_original(v); });
-  Fillet_outcome outcome = finish_body(body, mesh, out);
+  Fillet_outcome outcome = finish_body(body, mesh, {}, out);
   if (!outcome.diagnosis.ok()) {
     outcome.diagnosis.status = sharp_failure(sharp);
     out.clear();

@@ -48,17 +48,37 @@ Order output_order(const Fillet_body& body, const Blend_mesh& mesh) {
   return order;
 }
 
+/// Which face of the bases each face is a part of; see `Fillet_outcome`. The numbers of cells are just those.
+std::vector<std::uint32_t> origins(const Fillet_body& body, const std::vector<Face>& faces,
+                                   const std::vector<Cell_map::Cell>& remnant_cells) {
+  const std::size_t old_faces = body.mesh->number_of_faces();
+  std::vector<std::uint32_t> result;
+  result.reserve(faces.size());
+  for (const Face f : faces) {
+    const std::size_t added = f.idx() - old_faces;  // wraps for old faces
+    if (f.idx() < old_faces)
+      result.push_back(body.cells.cell(f));
+    else
+      result.push_back(added < remnant_cells.size() ? remnant_cells[added] : no_origin);
+  }
+  return result;
+}
+
 }  // namespace
 
-Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blend_mesh& out,
-                           const std::vector<Vertex>& moved) {
+Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, const Body_changes& changes,
+                           Blend_mesh& out) {
   Fillet_outcome outcome;
   Stopwatch copying;
   const Order order = output_order(body, mesh);
   Reordered result = reorder(mesh, order.vertices, order.faces);
-  for (const Vertex v : moved)
-    for (const Face f : mesh.faces_around_target(mesh.halfedge(v)))
-      if (result.face_of[f.idx()].idx() < order.kept_faces) outcome.changed_faces.push_back(result.face_of[f.idx()]);
+  outcome.origins = origins(body, order.faces, changes.remnant_cells);
+  for (const Vertex v : changes.moved)
+    for (const Face f : mesh.faces_around_target(mesh.halfedge(v))) {
+      const Face placed = result.face_of[f.idx()];
+      outcome.origins[placed.idx()] = no_origin;
+      if (placed.idx() < order.kept_faces) outcome.changed_faces.push_back(placed);
+    }
   std::sort(outcome.changed_faces.begin(), outcome.changed_faces.end());
   outcome.changed_faces.erase(std::unique(outcome.changed_faces.begin(), outcome.changed_faces.end()),
                               outcome.changed_faces.end());

@@ -20,10 +20,16 @@ struct Fillet_body {
   bool own_surface = true;         ///< the curves are edges of the base, which is smooth on either side only
 };
 
-/// Puts a changed body into `out` in the order of its bases, kept faces first, and checks what is new.
-/// \param moved vertices of the body that have another position in `mesh`; their faces keep their places
-[[nodiscard]] Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, Blend_mesh& out,
-                                         const std::vector<Vertex>& moved = {});
+/// What became of a body, besides faces that are gone.
+struct Body_changes {
+  std::vector<Cell_map::Cell> remnant_cells;  ///< of the first faces beyond those of the body; others belong to no cell
+  std::vector<Vertex> moved;                  ///< vertices of the body that have another position
+};
+
+/// Puts a changed body into `out` in the order of its bases, kept faces first, and checks what is new. Faces of moved
+/// vertices keep their places, but count as new.
+[[nodiscard]] Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, const Body_changes& changes,
+                                         Blend_mesh& out);
 
 }  // namespace cgal_blend
 

@@ -356,7 +356,6 @@ class Engine {
 
   void stitch(Blend_mesh& work, const std::vector<Rim>& rims, Trimming& trimming, Assembly& result) {
     std::vector<Triangle> triangles = std::move(trimming.remnants);
-    const std::size_t remnants = triangles.size();
     for (std::size_t k = 0; k < rims.size(); k += 2) {
       const Job& job = jobs_[rims[k].blend];
       const std::vector<Triangle> strip =
@@ -370,11 +369,11 @@ class Engine {
       result.blame = nearest_job(at);
       return;
     }
-    finish(work, {}, result);
+    finish(work, {trimming.remnant_cells, {}}, result);
     if (!result.diagnosis.ok()) return;
     // New faces come last, in the order in which they were added.
     const std::size_t first = result.mesh.number_of_faces() - replacement.faces.size();
-    for (std::size_t k = remnants; k < replacement.faces.size(); ++k)
+    for (std::size_t k = trimming.remnant_cells.size(); k < replacement.faces.size(); ++k)
       result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(first + k)));
   }
 
@@ -422,7 +421,7 @@ class Engine {
       target.point(v) = to_point(to);
       moved.push_back(v);
     }
-    finish(target, moved, result);
+    finish(target, {{}, moved}, result);
     if (result.diagnosis.ok()) result.outcome.blend_faces = result.outcome.changed_faces;
   }
 
@@ -441,8 +440,8 @@ class Engine {
     return between;
   }
 
-  void finish(const Blend_mesh& work, const std::vector<Vertex>& moved, Assembly& result) {
-    result.outcome = finish_body(body_, work, result.mesh, moved);
+  void finish(const Blend_mesh& work, const Body_changes& changes, Assembly& result) {
+    result.outcome = finish_body(body_, work, changes, result.mesh);
     aside_.validate += result.outcome.times.validate;
     aside_.copy += result.outcome.times.copy;
     result.diagnosis = result.outcome.diagnosis;

@@ -6,6 +6,7 @@
 
 #include "triangle_topology.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -88,6 +89,9 @@ struct Indexed_mesh {
 [[nodiscard]] std::string write_obj(const Indexed_mesh& mesh);
 [[nodiscard]] std::string write_ply(const Indexed_mesh& mesh);
 [[nodiscard]] std::string write_stl(const Indexed_mesh& mesh);
+/// PLY with a colour and a curvature for each vertex.
+[[nodiscard]] std::string write_curvature_ply(const Indexed_mesh& mesh, const std::vector<double>& curvatures,
+                                              const std::vector<std::array<unsigned char, 3>>& colours);
 
 }  // namespace cgal_blend::internal
 

@@ -224,4 +224,12 @@ void write_mesh(const std::string& path, const Blend_mesh& mesh) {
   replace_file(path, format.write(index_mesh(mesh)));
 }
 
+void write_curvature_ply(const std::string& path, const Blend_mesh& mesh, const std::vector<double>& curvatures,
+                         const std::vector<std::array<unsigned char, 3>>& colours) {
+  CGAL_precondition(curvatures.size() == mesh.number_of_vertices() && colours.size() == mesh.number_of_vertices());
+  if (format_of(path).write != internal::write_ply)
+    throw Mesh_io_error(Kind::unknown_format, "\"" + path + "\": curvature is written as .ply only");
+  replace_file(path, internal::write_curvature_ply(index_mesh(mesh), curvatures, colours));
+}
+
 }  // namespace cgal_blend

@@ -144,12 +144,14 @@ Reordered reorder(const Blend_mesh& mesh, const std::vector<Vertex>& vertices, c
   std::vector<Halfedge> halfedge_of(2 * (mesh.number_of_edges() + mesh.number_of_removed_edges()));
   result.face_of.resize(mesh.number_of_faces() + mesh.number_of_removed_faces());
   for (const Vertex v : vertices) vertex_of[v.idx()] = out.add_vertex(mesh.point(v));
-  for (const Edge e : mesh.edges()) {
-    const Halfedge h = mesh.halfedge(e), o = mesh.opposite(h);
-    const Halfedge g = out.add_edge(vertex_of[mesh.source(h).idx()], vertex_of[mesh.target(h).idx()]);
-    halfedge_of[h.idx()] = g;
-    halfedge_of[o.idx()] = out.opposite(g);
-  }
+  // Edges in the order of the faces: corefinement leaves them in an order that depends on addresses.
+  for (const Face f : faces)
+    for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      if (halfedge_of[h.idx()].is_valid()) continue;
+      const Halfedge g = out.add_edge(vertex_of[mesh.source(h).idx()], vertex_of[mesh.target(h).idx()]);
+      halfedge_of[h.idx()] = g;
+      halfedge_of[mesh.opposite(h).idx()] = out.opposite(g);
+    }
   for (const Face f : faces) {
     const Face g = out.add_face();
     result.face_of[f.idx()] = g;

@@ -23,7 +23,8 @@ struct Replacement {
 [[nodiscard]] Replacement replace_faces(Blend_mesh& mesh, const std::vector<Face>& removed,
                                         const std::vector<Triangle>& triangles);
 
-/// A compact copy with vertices and faces in a chosen order, and where the faces went (null if not listed).
+/// A compact copy of a closed mesh with vertices and faces in a chosen order, which gives that of the edges, and where
+/// the faces went (null if not listed).
 struct Reordered {
   Blend_mesh mesh;
   std::vector<Face> face_of;  ///< indexed by old face

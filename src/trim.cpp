@@ -57,6 +57,7 @@ class Trimmer {
   Trimming fail() {
     result_.removed.clear();
     result_.remnants.clear();
+    result_.remnant_cells.clear();
     return std::move(result_);
   }
 
@@ -162,6 +163,7 @@ class Trimmer {
     if (!kept.conflict.has_value()) {
       for (const auto& t : kept.triangles) {
         result_.remnants.push_back(t);
+        result_.remnant_cells.push_back(cell);
         for (int i = 0; i < 3; ++i) kept_steps_.insert({t[i], t[(i + 1) % 3]});
       }
       return true;

@@ -29,6 +29,7 @@ struct Trimming {
   Diagnosis diagnosis;                            ///< located, if it is not `ok`
   std::vector<Face> removed;                      ///< cut faces and those between the rims
   std::vector<std::array<Vertex, 3>> remnants;    ///< triangles that remain of the cut faces
+  std::vector<Cell_map::Cell> remnant_cells;      ///< per remnant: the cell that it is a part of
 };
 
 /// Adds the vertices of the rims to the mesh, or finds them where they stand on vertices of it.

@@ -50,6 +50,24 @@ void append_triangles(std::string& out, const Indexed_mesh& mesh, const char* he
   }
 }
 
+/// Binary PLY; `append_more` appends the values of further vertex properties.
+template <class Append_more>
+std::string ply(const Indexed_mesh& mesh, const char* further_properties, const Append_more& append_more) {
+  std::string out = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.points.size()) +
+                    "\nproperty double x\nproperty double y\nproperty double z\n" + further_properties +
+                    "element face " + std::to_string(mesh.triangles.size()) +
+                    "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    for (int i = 0; i < 3; ++i) append_bytes(out, mesh.points[v][i]);
+    append_more(out, v);
+  }
+  for (const auto& triangle : mesh.triangles) {
+    out += static_cast<char>(3);
+    for (const std::uint32_t v : triangle) append_bytes(out, static_cast<std::int32_t>(v));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string write_off(const Indexed_mesh& mesh) {
@@ -70,16 +88,17 @@ std::string write_obj(const Indexed_mesh& mesh) {
 }
 
 std::string write_ply(const Indexed_mesh& mesh) {
-  std::string out = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.points.size()) +
-                    "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                    std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const Point_3& p : mesh.points)
-    for (int i = 0; i < 3; ++i) append_bytes(out, p[i]);
-  for (const auto& triangle : mesh.triangles) {
-    out += static_cast<char>(3);
-    for (const std::uint32_t v : triangle) append_bytes(out, static_cast<std::int32_t>(v));
-  }
-  return out;
+  return ply(mesh, "", [](std::string&, std::size_t) {});
+}
+
+std::string write_curvature_ply(const Indexed_mesh& mesh, const std::vector<double>& curvatures,
+                                const std::vector<std::array<unsigned char, 3>>& colours) {
+  const char* properties =
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double mean_curvature\n";
+  return ply(mesh, properties, [&](std::string& out, std::size_t vertex) {
+    for (const unsigned char channel : colours[vertex]) append_bytes(out, channel);
+    append_bytes(out, curvatures[vertex]);
+  });
 }
 
 std::string write_stl(const Indexed_mesh& mesh) {

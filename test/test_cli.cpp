@@ -112,6 +112,34 @@ TEST_F(Cli, PlacesTheSecondBody) {
   EXPECT_NEAR(union_volume("-1 0 0 3  0 1 0 1  0 0 1 1"), 15, 1e-12) << "a mirrored solid is a solid";
 }
 
+TEST_F(Cli, SeveralBodiesEachWithItsRadius) {
+  write_mesh(path("peg.off"), cylinder(6, 64, -5, 20));
+  const std::string command =
+      "union plate.off boss.off peg.off peg.off --transform-c '1 0 0 35 0 1 0 0 0 0 1 0' "
+      "--transform-d '1 0 0 -35 0 1 0 5 0 0 1 0' -o out.off --report r.json --radius ";
+  const Run r = run(command + "5,2,1");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  expect_valid("out.off");
+  const Json report = json("r.json");
+  EXPECT_EQ(report["input"]["file"], "plate.off");
+  EXPECT_EQ(report["input_b"]["file"], "boss.off");
+  EXPECT_EQ(report["input_c"]["file"], "peg.off");
+  EXPECT_EQ(report["input_d"]["file"], "peg.off");
+  ASSERT_EQ(report["blends"].size(), 3u);
+  for (const auto& [k, radius] : {std::pair(0, 5.0), {1, 2.0}, {2, 1.0}}) {
+    EXPECT_EQ(report["blends"][k]["radius"], radius);
+    EXPECT_EQ(report["blends"][k]["status"], "ok");
+  }
+  EXPECT_GT(report["output"]["untouched_share"].get<double>(), 0);
+  ASSERT_EQ(run(command + "1.5").exit, 0);
+  for (const Json& blend : json("r.json")["blends"]) EXPECT_EQ(blend["radius"], 1.5);
+
+  ASSERT_EQ(run("difference a.off b.off a.off -o out.off --transform-c '1 0 0 -1.5 0 1 0 -1.5 0 0 1 -1.5'").exit, 0);
+  EXPECT_NEAR(volume("out.off"), 6.875, 1e-12);
+  ASSERT_EQ(run("intersection a.off b.off a.off -o out.off --transform-c '1 0 0 .5 0 1 0 .5 0 0 1 -.5'").exit, 0);
+  EXPECT_NEAR(volume("out.off"), 0.5, 1e-12);
+}
+
 TEST_F(Cli, ThreeWaysToChooseEdges) {
   const Blend_mesh mesh = read_mesh(path("cylinder.off"));
   std::string selection = "\n\n", indices, points;
@@ -160,6 +188,35 @@ TEST_F(Cli, CheckPrintsAndReports) {
     EXPECT_TRUE(report["output"]["closed"].get<bool>() && report["output"]["outward"].get<bool>());
     EXPECT_NEAR(report["output"]["volume"].get<double>(), 8, 1e-12);
   }
+}
+
+TEST_F(Cli, CurvatureOfATorus) {
+  write_mesh(path("torus.off"), torus(3, 1, 96, 32));
+  const Run r = run("curvature torus.off -o torus.ply --report report.json");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  EXPECT_NE(r.out, "");
+  EXPECT_TRUE(identical(read_mesh(path("torus.ply")), read_mesh(path("torus.off"))));
+  EXPECT_NE(bytes("torus.ply").find("property double mean_curvature"), std::string::npos);
+  const Json report = json("report.json");
+  const Json& curvature = report["curvature"];
+  EXPECT_NEAR(curvature["max"].get<double>(), (1 + 1 / 4.0) / 2, 0.01);
+  EXPECT_NEAR(curvature["min"].get<double>(), (1 - 1 / 2.0) / 2, 0.01);
+  EXPECT_NEAR(curvature["mean"].get<double>(), 0.47, 0.01);  // of a function of the latitude alone: an integral over it
+  EXPECT_LE(curvature["limit"], curvature["max"]);
+  EXPECT_EQ(report["output"]["faces"], 2 * 96 * 32);
+  ASSERT_EQ(run("curvature torus.off -o wide.ply --limit 100 --quiet --report wide.json").exit, 0);
+  EXPECT_EQ(json("wide.json")["curvature"]["limit"], 100);
+  EXPECT_NE(bytes("wide.ply"), bytes("torus.ply"));
+}
+
+TEST_F(Cli, CurvatureOfABlendIsThatOfItsTorus) {
+  ASSERT_EQ(run("union plate.off boss.off -o out.off --radius 5 --curvature out.ply --report r.json").exit, 0);
+  EXPECT_TRUE(identical(read_mesh(path("out.ply")), read_mesh(path("out.off"))));
+  const Json curvature = json("r.json")["curvature"];
+  EXPECT_LT(curvature["min"].get<double>(), (-1 / 5.0 + 1 / 15.0) / 2 * 0.9) << "the fillet is concave";
+  EXPECT_GT(curvature["max"].get<double>(), 1 / 15.0) << "the plate's edges are convex";
+  ASSERT_EQ(run("fillet cylinder.off --sharp-angle 40 --radius 2 -o out.off --curvature out.ply").exit, 0);
+  EXPECT_TRUE(identical(read_mesh(path("out.ply")), read_mesh(path("out.off"))));
 }
 
 TEST_F(Cli, HelpAndVersion) {

@@ -37,6 +37,7 @@ class Cli_refusals : public Cli_runner, public testing::WithParamInterface<Refus
     Cli_runner::SetUp();
     write_bad_files();
     write_mesh(path("box.off"), box({0, 0, 0}, {1, 1, 1}));
+    write_mesh(path("box.ply"), box({0, 0, 0}, {1, 1, 1}));
     write_mesh(path("far.off"), box({5, 5, 5}, {6, 6, 6}));
     write_mesh(path("corner.off"), box({1, 1, 1}, {2, 2, 2}));
     write_mesh(path("flush.off"), box({0.5, 0, 0.25}, {2, 0.5, 0.75}));  // lies in the same plane y = 0
@@ -126,6 +127,8 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"RadiusEmpty", box_fillet + "--radius ''", 2, "'' is not a number", "invalid_parameter"},
   {"RadiusOfABoolean", "union box.off overlap.off -o OUT --radius 0", 2, "greater than 0", "invalid_parameter"},
   {"UnknownProfile", box_fillet + "--radius 1 --profile round", 2, "'round'", "invalid_parameter"},
+  {"ConicWithoutWeight", box_fillet + "--radius 1 --profile conic:-1", 2, "conic:W0", "invalid_parameter"},
+  {"SplineThatEndsElsewhere", box_fillet + "--radius 1 --profile 'bspline:0,0;1,0'", 2, "from 0,0 to 1,1", "invalid_parameter"},
   {"UnknownMode", box_fillet + "--radius 1 --mode weave", 2, "'weave'", "invalid_parameter"},
   {"NoEdgesNamed", "fillet box.off -o OUT --radius 1", 2, "exactly one", "invalid_parameter"},
   {"EdgesNamedTwice", box_fillet + "--radius 1 --edges x.txt", 2, "exactly one", "invalid_parameter"},
@@ -135,6 +138,16 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"TransformTooShort", "union box.off overlap.off -o OUT --transform-b '1 0 0'", 2, "12 numbers", "invalid_parameter"},
   {"TransformNan", "union box.off box.off -o OUT --transform-b '1 0 0 nan 0 1 0 0 0 0 1 0'", 2, "'nan'", "invalid_parameter"},
   {"TransformFlat", "union box.off box.off -o OUT --transform-b '1 0 0 0 0 1 0 0 1 1 0 0'", 2, "flat", "invalid_parameter"},
+  {"LimitZero", "curvature box.off -o c.ply --limit 0", 2, "--limit", "invalid_parameter"},
+  {"LimitText", "curvature box.off -o c.ply --limit wide", 2, "'wide'", "invalid_parameter"},
+  {"TransformOfNoBody", "union box.off overlap.off -o OUT --transform-c '1 0 0 0 0 1 0 0 0 0 1 0'", 2, "--transform-c", "invalid_parameter"},
+  {"TransformCTooShort", "union box.off overlap.off far.off -o OUT --transform-c '1 0'", 2, "--transform-c: 12", "invalid_parameter"},
+  {"RadiiTooMany", "union box.off overlap.off -o OUT --radius 0.1,0.1", 2, "2 radii for 1 boolean", "invalid_parameter"},
+  {"RadiiTooFew", "union box.off overlap.off far.off far.off -o OUT --radius 1,1", 2, "2 radii for 3 booleans", "invalid_parameter"},
+  {"RadiiWithAZero", "union box.off overlap.off far.off -o OUT --radius 1,0", 2, "greater than 0", "invalid_parameter"},
+  {"RadiiWithAGap", "union box.off overlap.off far.off -o OUT --radius 1,", 2, "'' is not a number", "invalid_parameter"},
+  {"RadiiOfAFillet", box_fillet + "--radius 1,2", 2, "'1,2' is not a number", "invalid_parameter"},
+  {"TooManyBodies", "union box.off box.off box.off box.off box.off box.off box.off box.off ninth.off -o OUT", 2, "at most 8 bodies", "invalid_parameter"},
   {"BlendsRadius", "fillet box.off -o OUT --blends bad_radius.json", 2, "greater than 0", "invalid_parameter"},
   {"BlendsRadiusText", "fillet box.off -o OUT --blends text_radius.json", 2, "not a number", "invalid_parameter"},
   {"BlendsWithoutRadius", "fillet box.off -o OUT --blends no_radius.json", 2, "--radius", "invalid_parameter"}}), name_of);
@@ -145,6 +158,12 @@ INSTANTIATE_TEST_SUITE_P(Output, Cli_refusals, testing::ValuesIn(std::vector<Ref
   {"IsAFolder", "union box.off overlap.off -o folder.off", 2, "folder", "invalid_parameter"},
   {"Protected", "union box.off overlap.off -o protected.off", 2, "protected", "invalid_parameter"},
   {"KernelFolder", "union box.off overlap.off -o /proc/out.off", 2, "/proc/out.off", "*"},
+  {"CurvatureFormat", "curvature box.off -o OUT", 2, ".ply", "invalid_parameter"},
+  {"CurvatureFormatOfABlend", "union box.off overlap.off -o OUT --curvature c.off", 2, "c.off", "invalid_parameter"},
+  {"CurvatureNoFolder", "union box.off overlap.off -o OUT --curvature nowhere/c.ply", 2, "does not exist", "invalid_parameter"},
+  {"CurvatureOverOutput", "union box.off overlap.off -o c.ply --curvature ./c.ply", 2, "replace", "invalid_parameter"},
+  {"CurvatureOverInput", "union box.ply overlap.off -o OUT --curvature box.ply", 2, "replace", "invalid_parameter"},
+  {"ReportOverCurvature", "union box.off overlap.off -o OUT --curvature c.ply --report c.ply", 2, "replace", ""},
   {"ReportNoFolder", "union box.off overlap.off -o OUT --report nowhere/r.json", 2, "does not exist", ""},
   {"ReportOverInput", "union box.off overlap.off -o OUT --report box.off", 2, "box.off", ""},
   {"ReportOverOutput", "union box.off overlap.off -o OUT --report existing.off", 2, "existing.off", ""}}), name_of);
@@ -161,6 +180,8 @@ INSTANTIATE_TEST_SUITE_P(Input, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"Nan", "union nan.off box.off -o OUT", 3, "vertex 0", "input_not_finite"},
   {"NotClosed", "union open.off box.off -o OUT", 3, "open.off", "input_not_closed"},
   {"NotClosedB", "union box.off open.off -o OUT", 3, "open.off", "input_not_closed"},
+  {"NotClosedC", "union box.off overlap.off open.off -o OUT", 3, "open.off", "input_not_closed"},
+  {"ReportOverThirdBody", "union box.off overlap.off far.off -o OUT --report far.off", 2, "far.off", ""},
   {"NotManifold", "union fin.off box.off -o OUT", 3, "vertices 1 and 5", "input_not_manifold"},
   {"FlippedFace", "union flipped_face.off box.off -o OUT", 3, "flipped_face.off", "input_misoriented"},
   {"InsideOut", "union inside_out.off box.off -o OUT", 3, "inside_out.off", "input_misoriented"},
@@ -169,6 +190,7 @@ INSTANTIATE_TEST_SUITE_P(Input, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"FilletToo", "fillet crossing.off --sharp-angle 40 --radius 0.1 -o OUT", 3, "faces", "input_self_intersecting"},
   {"Overflow", "union box.off box.off -o OUT --transform-b '1e308 0 0 1e308 0 1e308 0 1e308 0 0 1e308 1e308'", 3, "finite",
    "input_not_finite"},
+  {"CurvatureMissing", "curvature missing.off -o c.ply", 3, "missing.off", "input_unreadable"},
   {"CheckMissing", "check missing.off", 3, "missing.off", "input_unreadable"},
   {"CheckNotManifold", "check fin.off", 3, "fin.off", "input_not_manifold"},
   {"BlendsMissing", "fillet box.off -o OUT --blends missing.json", 3, "missing.json", "input_unreadable"},
@@ -178,10 +200,8 @@ INSTANTIATE_TEST_SUITE_P(Input, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"SelectionMalformed", "fillet box.off -o OUT --radius 1 --edges bad.selection.txt", 3, "line 3", "input_unreadable"}}), name_of);
 
 INSTANTIATE_TEST_SUITE_P(Blend, Cli_refusals, testing::ValuesIn(std::vector<Refusal>{
-  {"ProfileOfLater", box_fillet + "--radius 1 --profile chamfer", 4, "not supported in this version", "not_supported"},
-  {"ConicOfLater", box_fillet + "--radius 1 --profile conic:0.5", 4, "not supported in this version", "not_supported"},
-  {"ModeOfLater", box_fillet + "--radius 1 --mode map", 4, "not supported in this version", "not_supported"},
   {"RadiusList", box_fillet + "--radius 0:1,0.5:2,1:1", 4, "not supported in this version", "not_supported"},
+  {"RadiusListOfABoolean", "union plate.off boss.off -o OUT --radius 0:2,1:3", 4, "not supported in this version", "not_supported"},
   {"BlendsRadiusList", "fillet box.off -o OUT --blends list_radius.json", 4, "not supported in this version", "not_supported"},
   {"NoSharpEdge", "fillet box.off -o OUT --radius 1 --sharp-angle 91", 4, "No edge", "no_edges_selected"},
   {"NoBlends", "fillet box.off -o OUT --blends none.json", 4, "none.json", "no_edges_selected"},
@@ -194,6 +214,8 @@ INSTANTIATE_TEST_SUITE_P(Blend, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"RadiusTooLarge", "union plate.off boss.off -o OUT --radius 36", 4, "at (", "*"},
   {"RadiusTooLargeOnRim", "fillet cylinder.off --sharp-angle 40 -o OUT --radius 10.5", 4, "at (", "*"},
   {"Disjoint", "union box.off far.off -o OUT --radius 0.1", 4, "do not meet", "operands_disjoint"},
+  {"DisjointThirdBody", "union plate.off boss.off far.off -o OUT --radius 1 --transform-c '1 0 0 100 0 1 0 0 0 0 1 0'", 4, "part 2",
+   "operands_disjoint"},
   {"TouchInAPoint", "union box.off corner.off -o OUT --radius 0.1", 4, "touch", "operands_touch"},
   {"TouchWithAnApex", "union spike.off above_spike.off -o OUT --radius 0.1", 4, "touch", "operands_touch"},
   {"CoplanarFaces", "union box.off flush.off -o OUT --radius 0.1", 4, "", "*"},  // by way of where the curve ends

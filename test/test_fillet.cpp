@@ -19,6 +19,7 @@ namespace cgal_blend::test {
 namespace {
 
 using unchecked::corefine_and_fillet;
+using unchecked::corefine_and_fillet_all;
 using unchecked::fillet_edges;
 
 constexpr double R = 15, r = 5;
@@ -269,6 +270,198 @@ TEST(Fillet, BlendOfSpheresIsSmoothAgainstBothSurfaces) {
   ASSERT_TRUE(coarse.outcome.ok() && finer.outcome.ok());
   EXPECT_LT(finer.outcome.blends[0].tangency_deg, 0.5 * coarse.outcome.blends[0].tangency_deg);
   EXPECT_LT(finer.outcome.blends[0].tangency_deg, 3);
+}
+
+// Series of booleans, each blended with a radius of its own.
+
+/// A boss through the plate z <= 0 and the radius of its foot.
+struct Boss {
+  double x, y, R, r;
+  [[nodiscard]] Blend_mesh mesh() const { return transformed(cylinder(R, 128, -5, 40), moved_by(x, y, 0)); }
+  [[nodiscard]] double distance(const Point_3& p) const {
+    return distance_to_torus(p, {x, y, r}, {0, 0, 1}, R + r, r);
+  }
+  /// Of the quarter circle turned about the axis (Pappus).
+  [[nodiscard]] double foot_area() const { return 2 * pi * r * (pi / 2 * (R + r) - r); }
+};
+
+const std::vector<Boss> bosses{{-25, -20, 12, 6}, {25, -22, 9, 3}, {22, 20, 14, 4}, {-20, 25, 6, 1.5}};
+
+struct Series {
+  std::vector<Blend_mesh> meshes;
+  std::vector<Part> parts;
+  explicit Series(const std::vector<Boss>& all) {
+    for (const Boss& boss : all) meshes.push_back(boss.mesh());
+    for (std::size_t k = 0; k < all.size(); ++k)
+      parts.push_back({&meshes[k], Boolean_operation::union_, all[k].r});
+  }
+};
+
+TEST(Fillet_parts, EachBossStandsOnATorusOfItsOwn) {
+  const Series series(bosses);
+  Blend_mesh out;
+  const Fillet_outcome outcome = corefine_and_fillet_all(plate(50, 10), series.parts, out, options_of(0, fine));
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  EXPECT_TRUE(validate(out).ok());
+  ASSERT_EQ(outcome.blends.size(), bosses.size());
+  double sharp = 100 * 100 * 10, added = 0;
+  for (std::size_t k = 0; k < bosses.size(); ++k) {
+    const auto& [x, y, big, small] = bosses[k];
+    EXPECT_EQ(outcome.blends[k].radius, small);
+    EXPECT_LT(outcome.blends[k].radius_error, 0.005);
+    sharp += volume_of(cylinder(big, 128, 0, 40));
+    added += foot_volume(big, small);
+  }
+  EXPECT_NEAR(outcome.volume - sharp, added, 0.003 * added);
+  EXPECT_EQ(outcome.volume, validate(out).volume);
+
+  // The blend faces are those on one of the tori, all of them.
+  std::vector<double> area(bosses.size(), 0);
+  for (const Face f : outcome.blend_faces) {
+    double off = 1e9;
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < bosses.size(); ++k) {
+      double worst = 0;
+      for (const Vertex v : out.vertices_around_face(out.halfedge(f)))
+        worst = std::max(worst, std::abs(bosses[k].distance(out.point(v))) / bosses[k].r);
+      if (worst < off) nearest = k;
+      off = std::min(off, worst);
+    }
+    EXPECT_LT(off, 0.005);
+    area[nearest] += area_of(out, std::vector<Face>{f});
+  }
+  for (std::size_t k = 0; k < bosses.size(); ++k)
+    EXPECT_NEAR(area[k], bosses[k].foot_area(), 0.005 * bosses[k].foot_area());
+}
+
+TEST(Fillet_parts, FacesOfTheInputComeFirstAndAreTraced) {
+  const Series series(bosses);
+  const Blend_mesh body = grid_box({-50, -50, -10}, {50, 50, 0}, 20);
+  Blend_mesh all_inputs = body;
+  for (const Blend_mesh& mesh : series.meshes) all_inputs = side_by_side(all_inputs, mesh);
+  Blend_mesh out;
+  const Fillet_outcome outcome = corefine_and_fillet_all(body, series.parts, out, options_of(0));
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  ASSERT_GT(outcome.kept_faces, body.number_of_faces() / 2);
+  EXPECT_EQ(outcome.kept_faces + outcome.changed_faces.size(), out.number_of_faces());
+  std::vector<Face> kept;
+  for (std::uint32_t f = 0; f < outcome.kept_faces; ++f) kept.push_back(Face(f));
+  EXPECT_TRUE(faces_kept_in_order(out, all_inputs, kept));
+
+  ASSERT_EQ(outcome.origins.size(), out.number_of_faces());
+  std::set<Face> blends(outcome.blend_faces.begin(), outcome.blend_faces.end());
+  for (const Face f : out.faces()) {
+    ASSERT_EQ(outcome.origins[f] == no_origin, blends.count(f) == 1);
+    if (blends.count(f)) continue;
+    std::vector<Point_3> plane;  // parts lie in the planes of their origins
+    for (const auto v : corners_of(all_inputs, Face(outcome.origins[f]))) plane.push_back(all_inputs.point(Vertex(v)));
+    const Vector_3 normal = CGAL::normal(plane[0], plane[1], plane[2]);
+    for (const Vertex v : out.vertices_around_face(out.halfedge(f)))
+      ASSERT_NEAR(distance_to_plane(out.point(v), plane[0], normal), 0, 1e-9);
+  }
+}
+
+TEST(Fillet_parts, LaterStepsLeaveTheRestOfEarlierBlends) {
+  // Half the boss with its foot is cut away: half the torus is left, partly in cut faces.
+  const Boss boss{0, 0, R, r};
+  const Blend_mesh mesh = boss.mesh(), half = box({-60, 0, -20}, {60, 60, 60});
+  const std::vector<Part> parts{{&mesh, Boolean_operation::union_, r}, {&half, Boolean_operation::difference, 0}};
+  Blend_mesh out;
+  const Fillet_outcome outcome = corefine_and_fillet_all(plate(50, 10), parts, out, options_of(0));
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  EXPECT_NEAR(area_of(out, outcome.blend_faces), boss.foot_area() / 2, 0.005 * boss.foot_area());
+  EXPECT_LT(largest(blend_points(out, outcome), [&](const Point_3& p) { return boss.distance(p); }), 0.005 * r);
+  EXPECT_EQ(outcome.blends.size(), 1u);
+}
+
+TEST(Fillet_parts, LaterPartsStandOnEarlierBlends) {
+  // The foot of the first boss reaches out to 18, where the second stands from 16 on.
+  const std::vector<Boss> pair{{0, 0, 12, 6}, {24, 0, 8, 1}};
+  const Series series(pair);
+  Blend_mesh out;
+  const Fillet_outcome outcome = corefine_and_fillet_all(plate(50, 10), series.parts, out, options_of(0));
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  EXPECT_TRUE(validate(out).ok());
+  ASSERT_EQ(outcome.blends.size(), 2u);
+  EXPECT_LT(outcome.blends[1].radius_error, 0.01);
+  EXPECT_LT(outcome.blends[1].tangency_deg, 5);
+  // Away from the first foot the second is a torus as ever; the others are points of the first, or of the ball's way up.
+  for (const Point_3& p : blend_points(out, outcome))
+    EXPECT_TRUE(std::abs(pair[0].distance(p)) < 0.01 * pair[0].r || std::abs(pair[1].distance(p)) < 0.01 * pair[1].r ||
+                std::hypot(p.x(), p.y()) < 12 + 6 + 1);
+}
+
+TEST(Fillet_parts, OnePartIsABooleanWithBlend) {
+  const Blend_mesh a = sphere(10, 3), b = sphere(8, 3, {9, 0.5, 0.25});
+  Blend_mesh expected, out;
+  for (const double radius : {0.0, 1.5}) {
+    const auto one = corefine_and_fillet(a, b, Boolean_operation::difference, expected, options_of(radius));
+    const auto all = corefine_and_fillet_all(a, {{&b, Boolean_operation::difference, 0}}, out, options_of(radius));
+    ASSERT_TRUE(one.ok() && all.ok());
+    EXPECT_TRUE(identical(out, expected));
+    EXPECT_EQ(all.blend_faces, one.blend_faces);
+    EXPECT_EQ(all.changed_faces, one.changed_faces);
+    EXPECT_EQ(all.kept_faces, one.kept_faces);
+    EXPECT_EQ(all.origins, one.origins);
+    EXPECT_EQ(all.volume, one.volume);
+  }
+}
+
+TEST(Fillet_parts, FollowsMotionAndScaleAndIsDeterministic) {
+  const Series series(bosses);
+  Blend_mesh out, again;
+  const Fillet_outcome outcome = corefine_and_fillet_all(plate(50, 10), series.parts, out, options_of(0));
+  ASSERT_TRUE(corefine_and_fillet_all(plate(50, 10), series.parts, again, options_of(0)).ok());
+  EXPECT_TRUE(identical(out, again));
+  double added = 0;
+  for (const Boss& boss : bosses) added += foot_volume(boss.R, boss.r);
+  const double scale = 1e-3;
+  const Placement move = placement({1, 2, 3}, 0.7, {0.1, 0.2, 0.3}, scale);
+  Series moved(bosses);
+  for (Blend_mesh& mesh : moved.meshes) mesh = transformed(mesh, move);
+  for (Part& part : moved.parts) part.radius *= scale;
+  const auto turned = corefine_and_fillet_all(transformed(plate(50, 10), move), moved.parts, again, options_of(0));
+  ASSERT_TRUE(turned.ok()) << message(turned.diagnosis);
+  EXPECT_NEAR(turned.volume / std::pow(scale, 3), outcome.volume, 2e-3 * added);
+}
+
+TEST(Fillet_parts, RefusalsNameTheStep) {
+  Series series(bosses);
+  Blend_mesh out;
+  const auto run = [&](const Fillet_options& options) {
+    out = plate(1, 1);
+    const Fillet_outcome outcome = corefine_and_fillet_all(plate(50, 10), series.parts, out, options);
+    EXPECT_EQ(outcome.ok(), !out.is_empty());
+    return outcome;
+  };
+  series.parts[2].radius = 35;  // runs off the plate
+  const Fillet_outcome off = run(options_of(0));
+  EXPECT_EQ(off.diagnosis.detail.rfind("part 3", 0), 0u) << message(off.diagnosis);
+  EXPECT_EQ(off.blends.size(), 3u) << "of the steps before, and that of the step";
+  EXPECT_TRUE(off.blends[0].diagnosis.ok() && !off.blends[2].diagnosis.ok());
+  series.parts[2].radius = -1;
+  const Fillet_outcome wrong = run(options_of(0));
+  EXPECT_EQ(wrong.diagnosis.status, Status::invalid_parameter);
+  EXPECT_EQ(wrong.diagnosis.detail.rfind("part 3: ", 0), 0u) << message(wrong.diagnosis);
+  const Blend_mesh far = sphere(1, 1, {900, 0, 0});
+  series.parts[2] = {&far, Boolean_operation::union_, 1};
+  EXPECT_EQ(message(run(options_of(0)).diagnosis), std::string(describe(Status::operands_disjoint)) + ": part 3");
+  series.parts.clear();
+  EXPECT_EQ(corefine_and_fillet_all(plate(50, 10), {}, out, options_of(0)).diagnosis.status, Status::invalid_parameter);
+}
+
+TEST(Fillet_parts, ProgressRunsThroughAllStepsAndCancels) {
+  const Series series(bosses);
+  std::vector<double> fractions;
+  Fillet_options options = options_of(0);
+  options.progress = [&](double fraction) {
+    fractions.push_back(fraction);
+    return fraction < 0.7;
+  };
+  Blend_mesh out;
+  EXPECT_EQ(corefine_and_fillet_all(plate(50, 10), series.parts, out, options).diagnosis.status, Status::cancelled);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 0.75) << "before the last of four steps";
 }
 
 // Refusals: named, located, nothing handed out.

@@ -161,6 +161,31 @@ TYPED_TEST(Fillet_graphs, The_check_of_the_input_can_be_left_out) {
   EXPECT_TRUE(trusted.ok()) << message(trusted.diagnosis);
 }
 
+TYPED_TEST(Fillet_graphs, A_series_of_booleans_is_that_of_the_concrete_mesh) {
+  const Blend_mesh first = boss(), second = transformed(boss(), moved_by(-1.5, 0.1, 0.3));
+  Blend_mesh expected;
+  constexpr auto unite = Boolean_operation::union_, cut = Boolean_operation::difference;
+  const Fillet_outcome outcome = unchecked::corefine_and_fillet_all(
+      plate(4, 1), {{&first, unite, ball_radius}, {&second, cut, 0}}, expected, ball(0));
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  const auto a = graph_of<TypeParam>(plate(4, 1)), b = graph_of<TypeParam>(first), c = graph_of<TypeParam>(second);
+  const std::vector<Part_of<TypeParam>> parts{{&b, unite, ball_radius}, {&c, cut, 0}};
+  TypeParam out;
+  const auto result = corefine_and_fillet_all(a, parts, out, ball(0));
+  ASSERT_TRUE(result.ok()) << message(result.diagnosis);
+  EXPECT_TRUE(identical(blend_mesh_of(out), expected));
+  EXPECT_EQ(result.kept_faces, outcome.kept_faces);
+
+  Blend_mesh open = boss();
+  CGAL::Euler::remove_face(open.halfedge(Face(0)), open);
+  const auto bad = graph_of<TypeParam>(open);
+  const std::vector<Part_of<TypeParam>> bad_parts{{&b, unite, 0}, {&bad, unite, 0}};
+  const auto refused = corefine_and_fillet_all(a, bad_parts, out, ball(0));
+  EXPECT_EQ(refused.diagnosis.status, Status::input_not_closed);
+  EXPECT_EQ(refused.diagnosis.detail.rfind("part 2: ", 0), 0u) << refused.diagnosis.detail;
+  EXPECT_TRUE(identical(blend_mesh_of(out), expected)) << "left as it was";
+}
+
 TEST(Fillet_graphs_mixed, Types_may_differ) {
   const auto a = graph_of<CGAL::Polyhedron_3<Epick>>(plate(3, 1));
   const auto b = graph_of<CGAL::Surface_mesh<Epeck::Point_3>>(boss());

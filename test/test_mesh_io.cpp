@@ -511,6 +511,53 @@ TEST_F(Mesh_io, Same_mesh_same_bytes) {
   }
 }
 
+// ---------------------------------------------------------------- curvature
+
+TEST_F(Mesh_io, Curvature_is_written_beside_the_mesh) {
+  Blend_mesh mesh = awkward_mesh();
+  mesh.add_vertex({1, 2, 3});
+  std::vector<double> curvatures;
+  std::vector<std::array<unsigned char, 3>> colours;
+  for (std::size_t i = 0; i < mesh.number_of_vertices(); ++i) {
+    curvatures.push_back(0.1 * static_cast<double>(i) - 7);
+    colours.push_back({static_cast<unsigned char>(i), 255, static_cast<unsigned char>(7 * i)});
+  }
+  write_curvature_ply(path("m.PLY"), mesh, curvatures, colours);
+  EXPECT_TRUE(identical(read_mesh(path("m.PLY")), mesh));
+  const std::string text = bytes("m.PLY");
+  EXPECT_NE(
+      text.find("property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double mean_curvature\n"),
+      std::string::npos);
+  const std::string end = "end_header\n";
+  const std::size_t stride = 3 * sizeof(double) + 3 + sizeof(double), body = text.find(end) + end.size();
+  for (const std::size_t i : {std::size_t(0), std::size_t(100), curvatures.size() - 1}) {
+    const char* vertex = text.data() + body + i * stride + 3 * sizeof(double);
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(static_cast<unsigned char>(vertex[k]), colours[i][k]);
+    double curvature = 0;
+    std::memcpy(&curvature, vertex + 3, sizeof curvature);
+    EXPECT_EQ(curvature, curvatures[i]);
+  }
+}
+
+TEST_F(Mesh_io, Curvature_goes_to_ply_only_and_replaces_whole_files) {
+  const Blend_mesh mesh = box({0, 0, 0}, {1, 1, 1});
+  const auto kind = [&](const std::string& name) {
+    try {
+      write_curvature_ply(path(name), mesh, std::vector<double>(8), {8, {0, 0, 0}});
+    } catch (const Mesh_io_error& error) {
+      return error.kind;
+    }
+    return Kind::bad_mesh;
+  };
+  for (const char* name : {"m.off", "m.stl", "m.step"}) EXPECT_EQ(kind(name), Kind::unknown_format) << name;
+  EXPECT_EQ(kind("nowhere/m.ply"), Kind::unwritable);
+  EXPECT_EQ(files(), 0u);
+  file("m.ply", "what was there before");
+  write_curvature_ply(path("m.ply"), mesh, std::vector<double>(8), {8, {0, 0, 0}});
+  EXPECT_TRUE(identical(read_mesh(path("m.ply")), mesh));
+  EXPECT_EQ(files(), 1u);
+}
+
 // ---------------------------------------------------------------- models from elsewhere
 
 #ifdef CGAL_BLEND_SHARED

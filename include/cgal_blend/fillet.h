@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -62,14 +64,21 @@ struct Stage_times {
   double validate = 0;
 };
 
+/// Stands for the origin of a face that is no part of a face of the input.
+inline constexpr std::uint32_t no_origin = std::numeric_limits<std::uint32_t>::max();
+
 /// A blend of one mesh as the engines produce it.
 struct Fillet_outcome {
   Diagnosis diagnosis;               ///< `ok`, or the first refusal; then the output mesh is left empty
   std::vector<Blend_report> blends;  ///< one per blending curve, in the order of the curves
   std::vector<Face> blend_faces;     ///< faces of the transition surfaces
   std::vector<Face> changed_faces;   ///< every face that is not a face of the input, blend faces included
-  std::size_t kept_faces = 0;        ///< faces bit-identical to faces of the input, order kept
-  double volume = 0, area = 0;       ///< of the output
+  std::size_t kept_faces =
+      0;  ///< faces bit-identical to faces of the input, order kept; they come first, but not in map mode
+  std::vector<std::uint32_t>
+      origins;                  ///< per face: index of the input face that it is, or is a part of, else `no_origin`;
+                                ///< faces of a second body count on after those of the first, and so on
+  double volume = 0, area = 0;  ///< of the output
   Stage_times times;
 
   [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
@@ -80,9 +89,18 @@ template <class Graph>
 struct Edge_blend_of {
   std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;  ///< of the input mesh, in any order
   double radius = 0;                                                        ///< 0: the radius of the options
-  std::optional<Profile> profile{};  ///< none: the profile of the options
+  std::optional<Profile> profile{};                                         ///< none: the profile of the options
 };
 using Edge_blend = Edge_blend_of<Blend_mesh>;
+
+/// One step of a series of booleans: what is done with which further body.
+template <class Graph>
+struct Part_of {
+  const Graph* mesh = nullptr;                              ///< lives as long as the call
+  Boolean_operation operation = Boolean_operation::union_;  ///< of the body as it is by then, and `mesh`
+  double radius = 0;                                        ///< 0: the radius of the options
+};
+using Part = Part_of<Blend_mesh>;
 
 /// The engines, for input that is known to be valid (`validate`); the overloads of fillet_graphs.h check it first.
 namespace unchecked {
@@ -100,6 +118,17 @@ namespace unchecked {
 /// Faces of `a` that are kept come first in `out`, then those of `b`, then new ones.
 [[nodiscard]] Fillet_outcome corefine_and_fillet(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation,
                                                  Blend_mesh& out, const Fillet_options& options);
+
+/// Computes a series of booleans, each on the result of those before, and blends the intersection curves of each with a
+/// radius of its own before the next; radius 0 leaves the curves of a step sharp.
+/// The outcome is that of the whole: faces of `first` that are still bit-identical come first in `out`, then those of
+/// the parts in turn; `kept_faces` counts them; `blend_faces` are the transition surfaces of all steps as far as later
+/// steps have left them; `blends` and the times are those of all steps. If a step is refused, so is the whole; the
+/// detail of the diagnosis begins with the step ("part 2", counted from 1, where there are several) and the reports end
+/// with those of that step. `keep_going` holds for each step by itself.
+/// Source: Liu et al., Mesh blending, The Visual Computer 21 (2005), section 6.3.
+[[nodiscard]] Fillet_outcome corefine_and_fillet_all(const Blend_mesh& first, const std::vector<Part>& parts,
+                                                     Blend_mesh& out, const Fillet_options& options);
 
 }  // namespace unchecked
 

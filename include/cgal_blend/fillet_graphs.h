@@ -8,7 +8,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 // The operations of fillet.h for meshes of any type. Included by it.
@@ -145,6 +147,36 @@ template <class Graph_a, class Graph_b, class Output,
   Blend_mesh result;
   const Fillet_outcome outcome =
       unchecked::corefine_and_fillet(copy_a.mesh(), copy_b.mesh(), operation, result, options);
+  return internal::hand_out(outcome, result, times, out, np_out);
+}
+
+/// Computes a series of booleans and blends the intersection curves of each; see the engine in `unchecked`.
+/// The points of the parts are those of the meshes themselves; `np_first`, `np_out` may hold a `vertex_point_map`.
+/// For the other parameters, `fillet_edges` for meshes of any type.
+template <class Graph, class Part_graph, class Output,
+          class Named_parameters_first = CGAL::parameters::Default_named_parameters,
+          class Named_parameters_out = CGAL::parameters::Default_named_parameters>
+[[nodiscard]] Fillet_result<Output> corefine_and_fillet_all(
+    const Graph& first, const std::vector<Part_of<Part_graph>>& parts, Output& out, const Graph_fillet_options& options,
+    const Named_parameters_first& np_first = CGAL::parameters::default_values(),
+    const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
+  const internal::Mesh_copy<Graph> copy_of_first(first, np_first);
+  Stage_times times;
+  if (Diagnosis bad = internal::check_input(copy_of_first.mesh(), options, "first body", times); !bad.ok())
+    return internal::refused<Output>(std::move(bad), times);
+  std::deque<internal::Mesh_copy<Part_graph>> copies;
+  std::vector<Part> copied_parts;
+  for (const Part_of<Part_graph>& part : parts) {
+    CGAL_precondition(part.mesh != nullptr);
+    copies.emplace_back(*part.mesh, CGAL::parameters::default_values());
+    const std::string which = "part " + std::to_string(copies.size());
+    if (Diagnosis bad = internal::check_input(copies.back().mesh(), options, which.c_str(), times); !bad.ok())
+      return internal::refused<Output>(std::move(bad), times);
+    copied_parts.push_back({&copies.back().mesh(), part.operation, part.radius});
+  }
+  Blend_mesh result;
+  const Fillet_outcome outcome =
+      unchecked::corefine_and_fillet_all(copy_of_first.mesh(), copied_parts, result, options);
   return internal::hand_out(outcome, result, times, out, np_out);
 }
 

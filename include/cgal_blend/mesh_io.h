@@ -5,8 +5,10 @@
 #include <cgal_blend/blend_mesh.h>
 #include <cgal_blend/status.h>
 
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace cgal_blend {
 
@@ -36,6 +38,13 @@ class Mesh_io_error : public std::runtime_error {
 /// The file appears whole or not at all: it is written beside `path` and renamed.
 /// Throws `Mesh_io_error` (unwritable, unknown_format); an existing file is then untouched.
 void write_mesh(const std::string& path, const Blend_mesh& mesh);
+
+/// Writes a mesh with its mean curvature as a binary PLY file: beside the coordinates, each vertex has a colour (`red`,
+/// `green`, `blue`, uchar) and a double `mean_curvature`. `read_mesh` reads it like any other mesh.
+/// \param curvatures, colours one per vertex that is not removed, in index order (`mean_curvature`, `colour_scale`)
+/// Files and errors as for `write_mesh`; unknown_format unless `path` ends in .ply.
+void write_curvature_ply(const std::string& path, const Blend_mesh& mesh, const std::vector<double>& curvatures,
+                         const std::vector<std::array<unsigned char, 3>>& colours);
 
 }  // namespace cgal_blend
 

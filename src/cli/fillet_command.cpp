@@ -45,6 +45,7 @@ void add_fillet_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<Fillet_command_options>();
   command->add_option("IN", options->input, "Body")->type_name("MESH")->required();
   add_mesh_output(*command, options->output);
+  add_curvature_output(*command, options->output);
   CLI::Option* angle = add_number(*command, "--sharp-angle", options->sharp_angle, 0, 180, true,
                                   "Blend every edge whose face normals differ by more than this");
   angle->type_name("DEG");

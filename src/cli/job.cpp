@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job.h"
 
+#include "curvature_picture.h"
 #include "failure.h"
 #include "paths.h"
 #include "progress.h"
@@ -84,6 +85,7 @@ int run_job(const std::string& command, const Output_options& output, const std:
     check_report_path(output, inputs);
     report_path = output.report;
     check_mesh_path(output);
+    check_curvature_path(output, inputs);
     body(report);
   });
   if (failure) {
@@ -130,6 +132,7 @@ void blend_and_write(const std::function<Fillet_outcome(Blend_mesh&, const Fille
   {
     const Timer timer(report.write);
     write_mesh(output.mesh, mesh);
+    if (!output.curvature.empty()) report.curvature = write_curvature_picture(output.curvature, mesh);
   }
   report.output = output_json(output.mesh, mesh, outcome);
   report.message = success_message(outcome.blends);

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   cgal_blend::cli::add_boolean_commands(app, exit_status);
   cgal_blend::cli::add_fillet_command(app, exit_status);
   cgal_blend::cli::add_check_command(app, exit_status);
+  cgal_blend::cli::add_curvature_command(app, exit_status);
   if (argc > 1 && is_unknown_subcommand(app, argv[1]))
     return usage_error("unknown subcommand '" + std::string(argv[1]) + "'");
   try {

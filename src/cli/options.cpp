@@ -5,13 +5,22 @@
 
 namespace cgal_blend::cli {
 
-Fillet_options Ball_options::checked() const {
+Fillet_options Ball_options::checked_but_radius() const {
   Fillet_options options = fillet;
   options.profile = parse_profile(profile, "--profile");
   options.mode = parse_mode(mode);
-  if (samples > 0) options.samples = static_cast<std::size_t>(samples);
+  options.samples = static_cast<std::size_t>(samples);
+  return options;
+}
+
+Fillet_options Ball_options::checked() const {
+  Fillet_options options = checked_but_radius();
   if (radius) options.radius = parse_radius(*radius);
   return options;
+}
+
+std::vector<double> Ball_options::checked_radii(std::size_t count) const {
+  return radius ? parse_radii(*radius, count) : std::vector<double>(count, 0);
 }
 
 void add_report_options(CLI::App& command, Output_options& options) {
@@ -19,11 +28,16 @@ void add_report_options(CLI::App& command, Output_options& options) {
   command.add_flag("--quiet", options.quiet, "No summary and no progress line");
 }
 
-void add_mesh_output(CLI::App& command, Output_options& options) {
-  command.add_option("-o,--output", options.mesh, "Mesh to write: .off, .obj, .ply or .stl")
-      ->required()
-      ->type_name("OUT");
+void add_mesh_output(CLI::App& command, Output_options& options, const std::string& help) {
+  command.add_option("-o,--output", options.mesh, help)->required()->type_name("OUT");
   add_report_options(command, options);
+}
+
+void add_curvature_output(CLI::App& command, Output_options& options) {
+  command
+      .add_option("--curvature", options.curvature,
+                  "Also write the result coloured by mean curvature: blue concave, red convex")
+      ->type_name("FILE.ply");
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,
@@ -41,14 +55,19 @@ CLI::Option* add_number(CLI::App& command, const std::string& flag, double& valu
   return command.add_option_function<std::string>(flag, read, help);
 }
 
-void add_ball_options(CLI::App& command, Ball_options& options) {
+void add_ball_options(CLI::App& command, Ball_options& options, const std::string& radius_help) {
   const auto given = [&options](const std::string& text) { options.radius = text; };
-  command.add_option_function<std::string>("--radius", given, "Radius of the ball, length units of the mesh")
-      ->type_name("R");
-  command.add_option("--profile", options.profile, "Cross-section of the blend: arc, chamfer, conic:W0, sharp, g2, hermite[:M1,M2] or bspline:X,Y;X,Y;...")
+  command.add_option_function<std::string>("--radius", given, radius_help)->type_name("R");
+  command
+      .add_option(
+          "--profile", options.profile,
+          "Cross-section of the blend: arc, chamfer, conic:W0, sharp, g2, hermite[:M1,M2] or bspline:X,Y;X,Y;...")
       ->capture_default_str()
       ->type_name("NAME");
-  command.add_option("--mode", options.mode, "How the blend is joined to the mesh: stitch (cut and sewn in) or map (connectivity kept, vertices moved)")
+  command
+      .add_option(
+          "--mode", options.mode,
+          "How the blend is joined to the mesh: stitch (cut and sewn in) or map (connectivity kept, vertices moved)")
       ->capture_default_str()
       ->type_name("NAME");
   add_number(command, "--chord-tolerance", options.fillet.chord_tolerance, 1e-6, 0.3, false,
@@ -64,7 +83,8 @@ void add_ball_options(CLI::App& command, Ball_options& options) {
              "Faces whose normals differ by less belong to one smooth surface [40]")
       ->type_name("DEG");
   const auto leave = [&options](std::int64_t) { options.fillet.mend_spine = false; };
-  command.add_flag_function("--no-mend", leave, "Refuse where the ball's path crosses itself, instead of joining over the loop");
+  command.add_flag_function("--no-mend", leave,
+                            "Refuse where the ball's path crosses itself, instead of joining over the loop");
   command.add_flag("--keep-going", options.fillet.keep_going,
                    "Leave curves sharp that cannot be blended; blend the others");
 }

@@ -8,13 +8,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cgal_blend::cli {
 
 /// Where results go; the same for every subcommand.
 struct Output_options {
-  std::string mesh;    ///< empty: the subcommand writes no mesh
-  std::string report;  ///< empty: none; "-": standard output
+  std::string mesh;       ///< empty: the subcommand writes no mesh
+  std::string report;     ///< empty: none; "-": standard output
+  std::string curvature;  ///< coloured PLY of the result; empty: none
   bool quiet = false;
 
   [[nodiscard]] bool report_on_stdout() const { return report == "-"; }
@@ -32,11 +34,18 @@ struct Ball_options {
 
   /// Returns the options of the engine, radius 0 if none is given; throws `Failure` for what cannot be accepted.
   [[nodiscard]] Fillet_options checked() const;
+  /// The same but for the radius, which is left 0.
+  [[nodiscard]] Fillet_options checked_but_radius() const;
+  /// Returns one radius for each of `count` booleans, 0 if none is given; throws `Failure`.
+  [[nodiscard]] std::vector<double> checked_radii(std::size_t count) const;
 };
 
 void add_report_options(CLI::App& command, Output_options& options);
-void add_mesh_output(CLI::App& command, Output_options& options);
-void add_ball_options(CLI::App& command, Ball_options& options);
+void add_mesh_output(CLI::App& command, Output_options& options,
+                     const std::string& help = "Mesh to write: .off, .obj, .ply or .stl");
+void add_curvature_output(CLI::App& command, Output_options& options);
+void add_ball_options(CLI::App& command, Ball_options& options,
+                      const std::string& radius_help = "Radius of the ball, length units of the mesh");
 
 /// A numeric option that has to lie between two bounds; the message names them.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,

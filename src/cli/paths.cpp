@@ -15,10 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require_mesh_extension(const std::string& path) {
+std::string lower_case_extension(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+void require_mesh_extension(const std::string& path) {
+  const std::string extension = lower_case_extension(path);
   const std::vector<std::string> known{".off", ".obj", ".ply", ".stl"};
   if (std::find(known.begin(), known.end(), extension) == known.end())
     throw usage_failure("cannot write " + in_quotes(path) +
@@ -46,7 +51,14 @@ void require_writable(const std::string& path) {
 
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code error;
-  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+  // Absolute first: of a name that is not there yet, without a folder, nothing is made canonical.
+  return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
+}
+
+void require_other_file(const std::string& option, const std::string& path, const std::vector<std::string>& meshes) {
+  for (const std::string& mesh : meshes)
+    if (!mesh.empty() && same_file(path, mesh))
+      throw usage_failure(option + " would replace the mesh " + in_quotes(mesh));
 }
 
 }  // namespace
@@ -56,15 +68,29 @@ void check_report_path(const Output_options& output, const std::vector<std::stri
   require_writable(output.report);
   std::vector<std::string> meshes = inputs;
   meshes.push_back(output.mesh);
-  for (const std::string& mesh : meshes)
-    if (!mesh.empty() && same_file(output.report, mesh))
-      throw usage_failure("--report would replace the mesh " + in_quotes(mesh));
+  meshes.push_back(output.curvature);
+  require_other_file("--report", output.report, meshes);
 }
 
 void check_mesh_path(const Output_options& output) {
   if (output.mesh.empty()) return;
   require_mesh_extension(output.mesh);
   require_writable(output.mesh);
+}
+
+void check_curvature_path(const Output_options& output, const std::vector<std::string>& inputs) {
+  if (output.curvature.empty()) return;
+  require_ply(output.curvature);
+  require_writable(output.curvature);
+  std::vector<std::string> others = inputs;
+  others.push_back(output.mesh);
+  require_other_file("--curvature", output.curvature, others);
+}
+
+void require_ply(const std::string& path) {
+  if (lower_case_extension(path) != ".ply")
+    throw usage_failure("cannot write " + in_quotes(path) +
+                        ": curvature goes into PLY files; the name must end in .ply");
 }
 
 }  // namespace cgal_blend::cli

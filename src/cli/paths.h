@@ -15,6 +15,13 @@ void check_report_path(const Output_options& output, const std::vector<std::stri
 /// Throws `Failure` (usage) if the mesh could not be written where the options say. Nothing is created.
 void check_mesh_path(const Output_options& output);
 
+/// Throws `Failure` (usage) if the curvature picture could not be written where the options say, or would replace
+/// another file of the command.
+void check_curvature_path(const Output_options& output, const std::vector<std::string>& inputs);
+
+/// Throws `Failure` (usage) unless the name ends in .ply.
+void require_ply(const std::string& path);
+
 }  // namespace cgal_blend::cli
 
 #endif

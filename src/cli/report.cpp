@@ -38,8 +38,13 @@ Json blend_json(const Blend_report& blend) {
 
 Json Report::json() const {
   Json json = {{"command", command}, {"status", status}, {"message", message}, {"input", input}};
-  if (!input_b.is_null()) json["input_b"] = input_b;
+  char letter = 'b';
+  for (const Json& more : more_inputs) {
+    if (!more.is_null()) json[std::string("input_") + letter] = more;
+    ++letter;
+  }
   json["output"] = output;
+  if (!curvature.is_null()) json["curvature"] = curvature;
   json["blends"] = blends;
   json["timings_ms"] = {{"read", read},        {"check_input", check_input}, {"boolean", stages.boolean},
                         {"copy", stages.copy}, {"blend", stages.blend},      {"validate", stages.validate},

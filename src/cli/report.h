@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace cgal_blend::cli {
 
@@ -21,7 +22,9 @@ struct Report {
   std::string command;
   std::string status = name(Status::ok);
   std::string message = describe(Status::ok);
-  Json input, input_b, output;  ///< null until known
+  Json input, output;             ///< null until known
+  std::vector<Json> more_inputs;  ///< of the second body and further ones, null until known
+  Json curvature;                 ///< null if nobody asked
   Json blends = Json::array();
   double read = 0, check_input = 0, write = 0;  ///< milliseconds
   Stage_times stages;

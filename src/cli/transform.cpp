@@ -29,17 +29,17 @@ bool is_singular(const std::array<double, 12>& m) {
 
 }  // namespace
 
-Transform parse_transform(const std::string& text) {
+Transform parse_transform(const std::string& text, const std::string& option) {
   const std::vector<std::string> words = split(text, " \t\n\r,", false);
   if (words.size() != 12)
-    throw usage_failure("--transform-b: 12 numbers are needed, row by row, not " + std::to_string(words.size()));
+    throw usage_failure(option + ": 12 numbers are needed, row by row, not " + std::to_string(words.size()));
   std::array<double, 12> m{};
   for (std::size_t i = 0; i < m.size(); ++i) {
     const auto number = parse_number(words[i]);
-    if (!number) throw usage_failure("--transform-b: '" + words[i] + "' is not a number");
+    if (!number) throw usage_failure(option + ": '" + words[i] + "' is not a number");
     m[i] = *number;
   }
-  if (is_singular(m)) throw usage_failure("--transform-b: the matrix flattens the body");
+  if (is_singular(m)) throw usage_failure(option + ": the matrix flattens the body");
   return CGAL::Aff_transformation_3<Kernel>(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]);
 }
 

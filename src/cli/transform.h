@@ -15,8 +15,8 @@ namespace cgal_blend::cli {
 using Transform = std::optional<CGAL::Aff_transformation_3<Kernel>>;
 
 /// Reads the 12 numbers "m00 m01 ... m23", row by row, of a 3 x 4 matrix. Throws `Failure` (usage) for other counts,
-/// numbers that are not finite, and matrices that flatten space.
-[[nodiscard]] Transform parse_transform(const std::string& text);
+/// numbers that are not finite, and matrices that flatten space; `option` begins the message.
+[[nodiscard]] Transform parse_transform(const std::string& text, const std::string& option);
 
 /// Places a mesh; a mirroring turns its faces around, so that a solid stays a solid.
 void apply(const Transform& transform, Blend_mesh& mesh);

@@ -50,6 +50,18 @@ double parse_radius(const std::string& text) {
   return *radius;
 }
 
+std::vector<double> parse_radii(const std::string& text, std::size_t count) {
+  const std::vector<std::string> items = split(text, ",", true);
+  if (items.size() == 1 || is_radius_list(text)) return std::vector<double>(count, parse_radius(text));
+  std::vector<double> radii;
+  for (const std::string& item : items) radii.push_back(parse_radius(item));
+  if (radii.size() != count)
+    throw usage_failure("--radius: " + std::to_string(radii.size()) + " radii for " + std::to_string(count) +
+                        (count == 1 ? " boolean" : " booleans") +
+                        "; give one for all, or one for each body after the first");
+  return radii;
+}
+
 void require_radius(double radius, const std::string& subject) {
   if (!(std::isfinite(radius) && radius > 0)) throw usage_failure(subject + ": the radius must be greater than 0");
 }

@@ -4,6 +4,7 @@
 
 #include <cgal_blend/fillet.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,10 @@ namespace cgal_blend::cli {
 /// Returns the radius that `text` spells. Throws `Failure`: usage if it is no number > 0, unsupported if it is a list
 /// of fraction:radius pairs.
 [[nodiscard]] double parse_radius(const std::string& text);
+
+/// Returns one radius for each of `count` booleans: `text` spells one for all, or a list with commas. Throws `Failure` as
+/// `parse_radius`, usage also for a list of another length.
+[[nodiscard]] std::vector<double> parse_radii(const std::string& text, std::size_t count);
 
 /// Throws `Failure` unless the radius is a finite number > 0; `subject` begins the message.
 void require_radius(double radius, const std::string& subject);
