@@ -226,6 +226,8 @@ class Engine {
         job.rolled = diagnosis.ok();
         if (job.rolled) break;
         if (!job.first_failure) job.first_failure = diagnosis;
+        // Smoother views would only hide that the ball does not fit.
+        if (!options_.mend_spine && diagnosis.status == Status::radius_exceeds_curvature) break;
       }
       if (!job.rolled) refuse(job);
     }

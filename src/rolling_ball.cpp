@@ -95,13 +95,15 @@ class Roller {
 
   /// Mends a spine that crosses itself; returns the refusal if that is not possible or not wanted.
   std::optional<Ball_path> cut_loops(std::vector<Ball_position>& positions, std::size_t& loops) const {
+    const std::array<const Base_surface*, 2> surfaces{&solver_.surface(0), &solver_.surface(1)};
+    const double radius = solver_.radius();
     for (std::size_t round = 0; round < most_loops; ++round) {
-      const auto crossing = find_crossing(positions, solver_.radius());
+      auto crossing = find_crossing(positions, radius);
+      if (!crossing) crossing = find_trimmed_loop(positions, surfaces, radius);
       if (!crossing) return std::nullopt;
       std::optional<std::vector<Ball_position>> mended;
       if (sampling_.mend_loops)
-        mended = cut_loop(positions, *crossing, {&solver_.surface(0), &solver_.surface(1)}, solver_.radius(),
-                          2 * sampling_.finest * solver_.radius());
+        mended = cut_loop(positions, *crossing, surfaces, radius, 2 * sampling_.finest * radius);
       if (!mended) {
         Ball_path path;
         path.diagnosis = refusal(Status::radius_exceeds_curvature, crossing->point);

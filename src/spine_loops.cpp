@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <unordered_set>
 #include <utility>
 
@@ -19,12 +20,15 @@ namespace {
 constexpr double meeting = 0.02;        // of the radius: steps nearer than this cross
 constexpr double longest_loop = 12;     // radii
 constexpr double largest_share = 0.45;  // of the spine
+constexpr double jump_ratio = 3;        // contact's way over the centre's, where the spine turns on the spot
+constexpr double shortest_jump = 0.4;   // radii
 constexpr double regress = 0.6;         // radii from the crossing back to the ends of the joint
 constexpr double search_reach = 4;      // radii around the joint in which contacts are looked for
 constexpr std::size_t fewest_joints = 4;
 constexpr int taubin_steps = 6;
 constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
-constexpr double widest_contact = 1.6;  // radii: farther away the surface is none of the ball's
+constexpr double widest_contact_step = 1.5;  // of the joint's step
+constexpr double widest_contact = 1.6;       // radii: farther away the surface is none of the ball's
 
 /// Where two segments are nearest: the middle between the nearest points, and their distance.
 std::pair<Vec, double> nearest(const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
@@ -69,24 +73,40 @@ class Foot_finder {
       triangles_.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
                               mesh.point(mesh.target(mesh.next(h))));
     }
-    tree_.insert(triangles_.cbegin(), triangles_.cend());
-    tree_.build();
+    tree_ = std::make_unique<Tree>(triangles_.cbegin(), triangles_.cend());
+    tree_->build();
   }
 
   [[nodiscard]] Surface_point foot(const Vec& p) const {
-    const auto [point, primitive] = tree_.closest_point_and_primitive(to_point(p));
+    const auto [point, primitive] = tree_->closest_point_and_primitive(to_point(p));
     return surface_.locate(faces_[static_cast<std::size_t>(primitive - triangles_.cbegin())], to_vec(point));
   }
 
  private:
   using Triangle = Kernel::Triangle_3;
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
   const Base_surface& surface_;
   std::vector<Face> faces_;
   std::vector<Triangle> triangles_;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+  std::unique_ptr<Tree> tree_;
 };
+
+/// True if somewhere on the way between two contacts the surface is curved more sharply than the ball, towards it.
+bool is_inverted_between(const Base_surface& surface, const Ball_position& a, const Ball_position& b, int side,
+                         double radius) {
+  const Vec way = b.contact[side] - a.contact[side];
+  constexpr int samples = 16;
+  for (int k = 0; k <= samples; ++k) {
+    const Surface_point at = surface.walk(a.foot[side], way * (static_cast<double>(k) / samples)).end;
+    const Vec normal = surface.normal(at);
+    const Vec along = (way - way.dot(normal) * normal).stableNormalized();
+    const double towards = normal.dot(a.contact[side] - a.center) < 0 ? -1 : 1;
+    if (towards * surface.normal_curvature(at, along) * radius > 1) return true;
+  }
+  return false;
+}
 
 /// Smooths the inner points of an open polyline, without shrinking it.
 void taubin(std::vector<Vec>& points) {
@@ -131,6 +151,34 @@ std::optional<Spine_crossing> find_crossing(const std::vector<Ball_position>& po
   return longest;
 }
 
+std::optional<Spine_crossing> find_trimmed_loop(const std::vector<Ball_position>& positions,
+                                                const std::array<const Base_surface*, 2>& surfaces, double radius) {
+  const std::size_t n = positions.size();
+  const auto at = [&](std::size_t i) -> const Ball_position& { return positions[i % n]; };
+  for (int side = 0; side < 2; ++side) {
+    const auto jumps = [&](std::size_t i) {
+      const Ball_position &a = at(i), &b = at(i + 1);
+      const double way = (b.contact[side] - a.contact[side]).norm();
+      return !a.mended && !b.mended && way > jump_ratio * (b.center - a.center).norm();
+    };
+    std::size_t start = 0;  // outside any run
+    while (start < n && jumps(start)) ++start;
+    for (std::size_t i = start; i < start + n; ++i) {
+      if (!jumps(i)) continue;
+      const std::size_t first = i;
+      double way = 0;
+      bool inverted = false;
+      for (; i < start + n && jumps(i); ++i) {
+        way += (at(i + 1).contact[side] - at(i).contact[side]).norm();
+        inverted = inverted || is_inverted_between(*surfaces[side], at(i), at(i + 1), side, radius);
+      }
+      if (way > shortest_jump * radius && inverted)
+        return Spine_crossing{first % n, (i - 1) % n, (at(first).center + at(i).center) / 2};
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_position>& positions,
                                                    const Spine_crossing& crossing,
                                                    const std::array<const Base_surface*, 2>& surfaces, double radius,
@@ -162,23 +210,40 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
   }
   taubin(centers);
 
-  std::array<std::vector<Surface_point>, 2> feet;
-  for (int side = 0; side < 2; ++side) {
-    std::vector<Face> seeds{from.foot[side].face, to.foot[side].face};
-    const Foot_finder finder(*surfaces[side], seeds, crossing.point, search_reach * radius);
-    for (const Vec& c : centers) feet[side].push_back(finder.foot(c));
-  }
-  for (std::size_t k = 1; k < joints; ++k) {
+  std::vector<Foot_finder> finders;
+  finders.reserve(2);
+  for (int side = 0; side < 2; ++side)
+    finders.emplace_back(*surfaces[side], std::vector<Face>{from.foot[side].face, to.foot[side].face}, crossing.point,
+                         search_reach * radius);
+  const auto joint_at = [&](const Vec& center, const std::array<Vec, 2>& near) {
     Ball_position joint;
-    joint.center = centers[k];
+    joint.center = center;
     joint.mended = true;
     for (int side = 0; side < 2; ++side) {
-      joint.foot[side] = feet[side][k];
+      joint.foot[side] = finders[side].foot(near[side]);
       joint.contact[side] = surfaces[side]->position(joint.foot[side]);
-      if ((joint.contact[side] - joint.center).norm() > widest_contact * radius) return std::nullopt;
     }
-    kept.push_back(joint);
+    return joint;
+  };
+  std::vector<Ball_position> joint{from};
+  for (std::size_t k = 1; k < joints; ++k) joint.push_back(joint_at(centers[k], {centers[k], centers[k]}));
+  joint.push_back(to);
+  for (std::size_t k = 0; k + 1 < joint.size(); ++k) {
+    if (k > 0) kept.push_back(joint[k]);
+    // Where a nearest point jumps over what the ball does not reach, the contact walks.
+    const Ball_position &a = joint[k], &b = joint[k + 1];
+    const double way = std::max((b.contact[0] - a.contact[0]).norm(), (b.contact[1] - a.contact[1]).norm());
+    const auto steps = static_cast<std::size_t>(std::ceil(way / (widest_contact_step * step)));
+    for (std::size_t i = 1; i < steps; ++i) {
+      const double s = static_cast<double>(i) / static_cast<double>(steps);
+      const auto between = [s](const Vec& p, const Vec& q) -> Vec { return (1 - s) * p + s * q; };
+      kept.push_back(joint_at(between(a.center, b.center),
+                              {between(a.contact[0], b.contact[0]), between(a.contact[1], b.contact[1])}));
+    }
   }
+  for (const Ball_position& p : kept)
+    for (int side = 0; side < 2; ++side)
+      if (p.mended && (p.contact[side] - p.center).norm() > widest_contact * radius) return std::nullopt;
   return kept;
 }
 

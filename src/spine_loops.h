@@ -22,6 +22,12 @@ struct Spine_crossing {
 /// loops at the cusps of a long one go with it.
 [[nodiscard]] std::optional<Spine_crossing> find_crossing(const std::vector<Ball_position>& positions, double radius);
 
+/// Finds a place where a loop is missing already: the spine turns on the spot while a contact jumps over a part of its
+/// surface that is curved more sharply than the ball (the offset is inverted there).
+[[nodiscard]] std::optional<Spine_crossing> find_trimmed_loop(const std::vector<Ball_position>& positions,
+                                                              const std::array<const Base_surface*, 2>& surfaces,
+                                                              double radius);
+
 /// Replaces the loop at a crossing: steps back from it on both sides, joins the two ends by a cubic Hermite curve,
 /// smooths the joint without shrinking it, and takes the contacts of its positions from the nearest points of the base
 /// surfaces. Returns nothing where too little would remain, or the joint has no contacts.
