@@ -3,10 +3,10 @@
 
 #include "blend_curve.h"
 #include "blend_strip.h"
-#include "collapse_short_edges.h"
 #include "map_region.h"
 #include "refusal.h"
 #include "rolling_ball.h"
+#include "sharp_mesh.h"
 #include "stitching.h"
 #include "stopwatch.h"
 #include "trim.h"
@@ -21,7 +21,6 @@
 #include <map>
 #include <memory>
 #include <tuple>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -383,25 +382,15 @@ class Engine {
   void map(const Blend_mesh& work, const Trimming& trimming, Assembly& result) {
     std::unordered_set<Vertex> between = vertices_between(work, trimming);
     Stopwatch watch;
-    Blend_mesh target = *body_.mesh;
+    Sharp_mesh sharp(body_);
     aside_.copy += watch.milliseconds();
-    // As the sharp result is written: same vertices, same faces.
-    std::unordered_map<Vertex, Vertex> merged;
-    if (!body_.own_surface) {
-      const auto collapsed = collapse_short_edges(target, [&](Vertex v) { return body_.cells.is_original(v); });
-      for (auto it = collapsed.rbegin(); it != collapsed.rend(); ++it)
-        merged[it->first] = merged.count(it->second) ? merged[it->second] : it->second;
-    }
-    const auto standing = [&](Vertex v) { return merged.count(v) ? merged.at(v) : v; };
+    Blend_mesh& target = sharp.mesh;
     std::map<Vertex, Vec> moves;
     std::unordered_set<Vertex> inner;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
       if (!job.rolled) continue;
-      std::vector<Vertex> curve;
-      for (const Halfedge h : job.halfedges)
-        if (const Vertex v = standing(body_.mesh->source(h)); curve.empty() || curve.back() != v) curve.push_back(v);
-      while (curve.size() > 1 && curve.front() == curve.back()) curve.pop_back();
+      const std::vector<Vertex> curve = sharp.curve(*body_.mesh, job.halfedges);
       between.insert(curve.begin(), curve.end());
       const Region_mapping region = map_region(target, curve, between, *job.surface, job.positions, job.attempt);
       job.report.coarseness = region.coarseness / job.report.radius;
