@@ -11,7 +11,10 @@
 #include <cgal_blend/curve_network.h>
 #include <cgal_blend/validate.h>
 
+#include <array>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace cgal_blend {
 
@@ -71,6 +74,43 @@ Curves collect_curves(const Fillet_body& body, const Sharp_mesh& sharp, const Co
   return curves;
 }
 
+// Slivers that a boolean leaves along its curve are thinner than the coarse curve is exact; they may fold when the
+// detail is restored. Then the rings of faces around the curve are smoothed, so many steps at a time.
+constexpr std::array<int, 5> smoothings{0, 4, 8, 16, 32};
+constexpr int smoothed_rings = 3;
+constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
+
+/// Taubin steps on the moved vertices near the curves.
+void smooth_around(const std::vector<std::vector<Edge>>& curves, const Compact& fine, int steps,
+                   const std::vector<Vertex>& moved, Blend_mesh& mesh) {
+  const std::set<Vertex> movable(moved.begin(), moved.end());
+  std::set<Vertex> near;
+  for (const auto& curve : curves)
+    for (const Edge e : curve)
+      if (const Vertex v = fine.body_of[fine.mesh.source(fine.mesh.halfedge(e)).idx()]; movable.count(v))
+        near.insert(v);
+  for (int ring = 0; ring < smoothed_rings; ++ring)
+    for (const Vertex v : std::vector<Vertex>(near.begin(), near.end()))
+      for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v)))
+        if (movable.count(w)) near.insert(w);
+  for (int step = 0; step < steps; ++step)
+    for (const double factor : {taubin_lambda, taubin_mu}) {
+      std::vector<Point_3> next;
+      for (const Vertex v : near) {
+        Vec sum = Vec::Zero();
+        int count = 0;
+        for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v))) {
+          sum += to_vec(mesh.point(w));
+          ++count;
+        }
+        const Vec at = to_vec(mesh.point(v));
+        next.push_back(to_point(at + factor * (sum / count - at)));
+      }
+      std::size_t i = 0;
+      for (const Vertex v : near) mesh.point(v) = next[i++];
+    }
+}
+
 Fillet_outcome refused(Diagnosis diagnosis, const Stage_times& times) {
   Fillet_outcome outcome;
   outcome.diagnosis = std::move(diagnosis);
@@ -112,7 +152,7 @@ Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_ble
     outcome.times = times;
     return outcome;
   }
-  const Stopwatch restoring;
+  Stopwatch restoring;
   Body_changes changes;
   for (const auto& [v, to] : level.restore(blended)) {
     const Vertex moved = fine.body_of[v.idx()];
@@ -120,12 +160,19 @@ Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_ble
     changes.moved.push_back(moved);
   }
   times.blend += restoring.milliseconds();
-  Fillet_outcome whole = finish_body(body, sharp.mesh, changes, out);
+  Fillet_outcome whole;
+  for (std::size_t k = 0; k < smoothings.size(); ++k) {
+    const Stopwatch smoothing;
+    if (smoothings[k] > 0) smooth_around(curves.edges, fine, smoothings[k], changes.moved, sharp.mesh);
+    times.blend += smoothing.milliseconds();
+    whole = finish_body(body, sharp.mesh, changes, out);
+    times.copy += whole.times.copy;
+    times.validate += whole.times.validate;
+    if (whole.ok()) break;
+  }
   whole.blends = std::move(outcome.blends);
   whole.blend_faces = whole.changed_faces;
-  whole.times.blend = times.blend;
-  whole.times.coarsen = times.coarsen;
-  whole.times.copy += times.copy;
+  whole.times = times;
   if (!whole.ok()) {
     whole.diagnosis = refusal_of_result(whole.diagnosis);
     out.clear();
