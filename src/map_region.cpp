@@ -52,7 +52,9 @@ class Mapper {
         positions_(positions),
         linkage_{Curve_locator(contacts(positions, 0)), Curve_locator(contacts(positions, 1))},
         spine_(centers(positions)),
-        slant_(slants[attempt]) {}
+        slant_(slants[attempt]),
+        inner_index_(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1),
+        side_(mesh.number_of_faces() + mesh.number_of_removed_faces(), -1) {}
 
   Region_mapping run() {
     const bool ring = collect_interior() && collect_faces() && collect_borders() && cut();
@@ -64,9 +66,9 @@ class Mapper {
     place_interior();
     draw_border_in();
     untangle();
-    for (const auto& [v, on] : on_surface_) result_.interior.emplace_back(v, on.point);
+    for (std::size_t k = 0; k < inner_.size(); ++k) result_.interior.emplace_back(inner_[k], on_surface_[k].point);
     for (const auto& [v, to] : border_) result_.border.emplace_back(v, to);
-    result_.faces.assign(faces_.begin(), faces_.end());
+    result_.faces = faces_;
     result_.coarseness = coarseness();
     return std::move(result_);
   }
@@ -94,26 +96,33 @@ class Mapper {
 
   /// Inner vertices hang together with the curve; others between the linkage curves are left where they are.
   bool collect_interior() {
-    std::vector<Vertex> stack;
     for (const Vertex v : curve_)
-      if (between_.count(v) && interior_.insert(v).second) stack.push_back(v);
-    if (stack.size() != curve_.size() || curve_.size() < 3) return false;
-    for (std::size_t i = 0; i < stack.size(); ++i)
-      for (const Vertex v : mesh_.vertices_around_target(mesh_.halfedge(stack[i])))
-        if (between_.count(v) && interior_.insert(v).second) stack.push_back(v);
+      if (between_.count(v)) add_inner(v);
+    if (inner_.size() != curve_.size() || curve_.size() < 3) return false;
+    for (std::size_t i = 0; i < inner_.size(); ++i)
+      for (const Vertex v : mesh_.vertices_around_target(mesh_.halfedge(inner_[i])))
+        if (between_.count(v)) add_inner(v);
     return true;
   }
 
+  void add_inner(Vertex v) {
+    if (is_inner(v)) return;
+    inner_index_[v.idx()] = static_cast<int>(inner_.size());
+    inner_.push_back(v);
+  }
+
+  [[nodiscard]] bool is_inner(Vertex v) const { return inner_index_[v.idx()] >= 0; }
+  [[nodiscard]] int side(Face f) const { return side_[f.idx()]; }
+  [[nodiscard]] bool in_region(Face f) const { return side(f) >= 0; }
+
   /// All faces at inner vertices, by the side of the curve that they lie on.
   bool collect_faces() {
-    std::vector<Face> stack;
     const auto add = [&](Face f, int side) {
-      if (faces_.count(f) || !touches_interior(f)) return;
-      faces_.insert(f);
-      side_[f] = side;
-      stack.push_back(f);
+      if (in_region(f) || !touches_interior(f)) return;
+      side_[f.idx()] = static_cast<signed char>(side);
+      faces_.push_back(f);
     };
-    std::set<Edge> curve_edges;
+    std::unordered_set<Edge> curve_edges;
     for (std::size_t i = 0; i < curve_.size(); ++i) {
       const Halfedge h = mesh_.halfedge(curve_[i], curve_[(i + 1) % curve_.size()]);
       if (h == Blend_mesh::null_halfedge()) return false;
@@ -121,36 +130,37 @@ class Mapper {
       add(mesh_.face(h), 0);
       add(mesh_.face(mesh_.opposite(h)), 1);
     }
-    for (std::size_t i = 0; i < stack.size(); ++i)
-      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(stack[i]))) {
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(faces_[i]))) {
         if (curve_edges.count(mesh_.edge(h))) continue;
         const Face other = mesh_.face(mesh_.opposite(h));
-        if (faces_.count(other) && side_[other] != side_[stack[i]]) return false;
-        add(other, side_[stack[i]]);
+        if (in_region(other) && side(other) != side(faces_[i])) return false;
+        add(other, side(faces_[i]));
       }
+    std::sort(faces_.begin(), faces_.end());
     for (const Face f : faces_)  // a vertex in the midst of the region moves with it
       for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
-        if (!interior_.count(v) && is_enclosed(v)) interior_.insert(v);
+        if (!is_inner(v) && is_enclosed(v)) add_inner(v);
     // Nothing that an inner vertex touches may have been left out.
-    for (const Vertex v : interior_)
+    for (const Vertex v : inner_)
       for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v)))
-        if (!faces_.count(f)) return false;
+        if (!in_region(f)) return false;
     return true;
   }
 
   [[nodiscard]] bool is_enclosed(Vertex v) const {
     for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v)))
-      if (!faces_.count(f)) return false;
+      if (!in_region(f)) return false;
     return true;
   }
 
   [[nodiscard]] bool touches_interior(Face f) const {
     for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
-      if (interior_.count(v)) return true;
+      if (is_inner(v)) return true;
     return false;
   }
 
-  [[nodiscard]] bool inside(Halfedge h) const { return faces_.count(mesh_.face(h)) != 0; }
+  [[nodiscard]] bool inside(Halfedge h) const { return in_region(mesh_.face(h)); }
   [[nodiscard]] bool on_border(Halfedge h) const { return inside(h) && !inside(mesh_.opposite(h)); }
 
   /// The border halfedge after one that lies in the region.
@@ -162,15 +172,15 @@ class Mapper {
 
   /// One loop on either side, and the Euler characteristic of an annulus.
   bool collect_borders() {
-    std::set<Halfedge> seen;
+    std::unordered_set<Halfedge> seen;
     for (const Face f : faces_)
       for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
         if (!on_border(h) || seen.count(h)) continue;
-        std::vector<Halfedge>& loop = borders_[side_[f]];
+        std::vector<Halfedge>& loop = borders_[static_cast<std::size_t>(side(f))];
         if (!loop.empty()) return false;
         Halfedge g = h;
         do {
-          if (side_[mesh_.face(g)] != side_[f] || !seen.insert(g).second) return false;
+          if (side(mesh_.face(g)) != side(f) || !seen.insert(g).second) return false;
           loop.push_back(g);
           g = next_on_border(g);
         } while (g != h);
@@ -178,7 +188,7 @@ class Mapper {
     if (borders_[0].empty() || borders_[1].empty()) return false;
     const std::size_t border = borders_[0].size() + borders_[1].size();
     const std::size_t edges = (3 * faces_.size() + border) / 2;
-    return interior_.size() + border + faces_.size() == edges;  // each border halfedge stands for one vertex
+    return inner_.size() + border + faces_.size() == edges;  // each border halfedge stands for one vertex
   }
 
   // Splitting.
@@ -209,7 +219,7 @@ class Mapper {
   bool shortest_path(const std::array<Halfedge, 2>& ends) {
     std::map<Vertex, Halfedge> last;  // edges into the second end
     for_fan(ends[1], [&](Halfedge h) {
-      if (interior_.count(mesh_.source(h))) last.emplace(mesh_.source(h), h);
+      if (is_inner(mesh_.source(h))) last.emplace(mesh_.source(h), h);
     });
     std::unordered_map<Vertex, std::pair<double, Halfedge>> best;
     using Item = std::pair<double, Halfedge>;
@@ -222,7 +232,7 @@ class Mapper {
       queue.pop();
       if (arrived != Blend_mesh::null_vertex() && far >= shortest) break;
       const Vertex v = mesh_.target(h);
-      if (!interior_.count(v) || !best.emplace(v, Item{far, h}).second) continue;
+      if (!is_inner(v) || !best.emplace(v, Item{far, h}).second) continue;
       if (const auto end = last.find(v); end != last.end()) {
         const double total = far + hop(end->second);
         if (arrived == Blend_mesh::null_vertex() || total < shortest) {
@@ -234,7 +244,7 @@ class Mapper {
     }
     if (arrived == Blend_mesh::null_vertex()) return false;
     path_.push_back(last.at(arrived));
-    for (Vertex v = arrived; interior_.count(v); v = mesh_.source(path_.back())) path_.push_back(best.at(v).second);
+    for (Vertex v = arrived; is_inner(v); v = mesh_.source(path_.back())) path_.push_back(best.at(v).second);
     std::reverse(path_.begin(), path_.end());
     for (const Halfedge h : path_) cut_.insert(mesh_.edge(h));
     return true;
@@ -312,7 +322,7 @@ class Mapper {
     place_cut();
     // Between the linkage curves the region is as wide as they are apart, however far its border reaches beyond them.
     for (const Vertex v : disk_.vertices())
-      if (!interior_.count(origin_[v.idx()]))
+      if (!is_inner(origin_[v.idx()]))
         disk_.point(v) = to_point(surface_(places_[v.idx()].x() + surface_.start(longest_), 1 - places_[v.idx()].y()));
     return true;
   }
@@ -416,14 +426,14 @@ class Mapper {
 
   void relax() {
     // One list of disk copies per inner vertex.
-    std::map<Vertex, std::vector<Vertex>> copies;
-    for (const auto& [fan, v] : fan_vertex_)
-      if (interior_.count(origin_[v.idx()])) copies[origin_[v.idx()]].push_back(v);
+    std::vector<std::vector<Vertex>> copies(inner_.size());
+    for (const Vertex v : disk_.vertices())
+      if (const int k = inner_index_[origin_[v.idx()].idx()]; k >= 0) copies[k].push_back(v);
     const double across = width();
     for (int sweep = 0; sweep < relaxations; ++sweep)
-      for (const auto& [v, disk_vertices] : copies) relax_vertex(disk_vertices, across);
+      for (const std::vector<Vertex>& disk_vertices : copies) relax_vertex(disk_vertices, across);
     if (!surface_.kinks().empty())
-      for (const Vertex v : curve_) onto_kink(copies.at(v));
+      for (const Vertex v : curve_) onto_kink(copies[inner_index_[v.idx()]]);
   }
 
   [[nodiscard]] double width() const {
@@ -493,18 +503,21 @@ class Mapper {
     Vec point;
   };
   [[nodiscard]] Placed place(double t, double u) const { return {t, u, surface_(t, u)}; }
+  [[nodiscard]] Placed& placed(Vertex v) { return on_surface_[inner_index_[v.idx()]]; }
+  [[nodiscard]] const Placed& placed(Vertex v) const { return on_surface_[inner_index_[v.idx()]]; }
 
   void place_interior() {
     const double bias = slant_.curve_at > 0 ? odds(curve_mean()) / odds(slant_.curve_at) : 1;
-    for (std::size_t i = 0; i < origin_.size(); ++i) {
+    on_surface_.resize(inner_.size());
+    for (std::size_t i = 0; i < origin_.size(); ++i) {  // copies on the cut have the same place
       const Vertex v = origin_[i];
-      if (!interior_.count(v) || on_surface_.count(v)) continue;
+      if (!is_inner(v)) continue;
       const double u = std::clamp(1 - flat_[i].y(), 0.0, 1.0);
       const double t = slant_.own_t
                            ? parameter_on(
                                  spine_, [](const Ball_position& b) { return b.center; }, to_vec(mesh_.point(v)))
                            : flat_[i].x() + surface_.start(longest_);
-      on_surface_.emplace(v, place(t, u / (u + bias * (1 - u))));
+      placed(v) = place(t, u / (u + bias * (1 - u)));
     }
   }
 
@@ -589,7 +602,7 @@ class Mapper {
   // Untangling in space: faces that are large against the ball may fold though their flat images do not.
 
   [[nodiscard]] Vec position(Vertex v) const {
-    if (const auto on = on_surface_.find(v); on != on_surface_.end()) return on->second.point;
+    if (is_inner(v)) return placed(v).point;
     const auto drawn = border_.find(v);
     return drawn != border_.end() ? drawn->second : to_vec(mesh_.point(v));
   }
@@ -604,12 +617,12 @@ class Mapper {
     Mean_place mean;
     double first = 0;
     for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f))) {
-      const auto on = on_surface_.find(v);
-      if (on == on_surface_.end()) continue;
-      if (mean.inner++ == 0) first = on->second.t;
-      mean.t += first + std::remainder(on->second.t - first, surface_.length());
-      mean.u += on->second.u;
-      mean.point += on->second.point;
+      if (!is_inner(v)) continue;
+      const Placed& on = placed(v);
+      if (mean.inner++ == 0) first = on.t;
+      mean.t += first + std::remainder(on.t - first, surface_.length());
+      mean.u += on.u;
+      mean.point += on.point;
     }
     mean.t /= mean.inner;
     mean.u /= mean.inner;
@@ -652,7 +665,7 @@ class Mapper {
       for (const Face f : faces_)
         if (uprightness(f) < upright)
           for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
-            if (interior_.count(v)) bad.insert(v);
+            if (is_inner(v)) bad.insert(v);
       bool improved = false;
       for (const Vertex v : bad) improved = slide(v) || improved;
       if (!improved) return;
@@ -661,25 +674,26 @@ class Mapper {
 
   /// Tries places on the surface around that of a vertex; takes the one with the least tangle.
   bool slide(Vertex v) {
-    const Placed start = on_surface_.at(v);
+    const Placed start = placed(v);
     double shortest = surface_.length();
     for (const Vertex w : mesh_.vertices_around_target(mesh_.halfedge(v)))
-      if (const auto on = on_surface_.find(w); on != on_surface_.end())
-        shortest = std::min(
-            shortest, std::max(1e-9 * shortest, std::abs(std::remainder(on->second.t - start.t, surface_.length()))));
+      if (is_inner(w)) {
+        const double step = std::abs(std::remainder(placed(w).t - start.t, surface_.length()));
+        shortest = std::min(shortest, std::max(1e-9 * shortest, step));
+      }
     Placed best = start;
     double least = tangle(v);
     const double before = least;
     for (const double a : {0.0, -0.4, 0.4})
       for (const double b : {0.0, -0.05, 0.05, -0.15, 0.15, -0.3, 0.3, -0.6, 0.6}) {
         if (a == 0 && b == 0) continue;
-        on_surface_.at(v) = place(start.t + a * shortest, std::clamp(start.u + b, 0.02, 0.98));
+        placed(v) = place(start.t + a * shortest, std::clamp(start.u + b, 0.02, 0.98));
         const double value = tangle(v);
         if (value >= least * (1 - 1e-3)) continue;
         least = value;
-        best = on_surface_.at(v);
+        best = placed(v);
       }
-    on_surface_.at(v) = best;
+    placed(v) = best;
     return least < before;
   }
 
@@ -701,21 +715,22 @@ class Mapper {
   Curve_locator spine_;
   const Slant& slant_;
 
-  std::set<Vertex> interior_;
-  std::set<Face> faces_;
-  std::unordered_map<Face, int> side_;
+  std::vector<Vertex> inner_;                     // vertices between the linkage curves
+  std::vector<int> inner_index_;                  // by vertex of the mesh: place in `inner_`, or -1
+  std::vector<Face> faces_;                       // the region, in order
+  std::vector<signed char> side_;                 // by face of the mesh: side of the curve, or -1 outside the region
   std::array<std::vector<Halfedge>, 2> borders_;  // halfedges of the region along its left and right border
   std::size_t longest_ = 0;                       // profile at which the region is cut
   std::vector<Halfedge> path_;                    // the cut, from left to right
   std::set<Edge> cut_;
 
   Blend_mesh disk_;
-  std::map<Halfedge, Vertex> fan_vertex_;
+  std::unordered_map<Halfedge, Vertex> fan_vertex_;
   std::unordered_map<Halfedge, Vertex> corner_;  // disk vertex at the target
   std::vector<Vertex> origin_;                   // per disk vertex
   std::vector<Point_2> places_, flat_;
-  std::map<Vertex, Placed> on_surface_;  // inner vertices
-  std::map<Vertex, Vec> border_;         // border vertices that move
+  std::vector<Placed> on_surface_;  // per inner vertex
+  std::map<Vertex, Vec> border_;    // border vertices that move
   Region_mapping result_;
 };
 
