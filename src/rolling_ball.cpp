@@ -32,16 +32,10 @@ double step_length(const Ball_position& a, const Ball_position& b) {
       {(b.center - a.center).norm(), (b.contact[0] - a.contact[0]).norm(), (b.contact[1] - a.contact[1]).norm()});
 }
 
-double off_chord(const Vec& a, const Vec& b, const Vec& p) {
-  const Vec chord = b - a;
-  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (p - a - t * chord).norm();
-}
-
 double chord_error(const Ball_position& a, const Ball_position& b, const Ball_position& middle) {
-  return std::max({off_chord(a.center, b.center, middle.center),
-                   off_chord(a.contact[0], b.contact[0], middle.contact[0]),
-                   off_chord(a.contact[1], b.contact[1], middle.contact[1])});
+  return std::max({off_segment(a.center, b.center, middle.center),
+                   off_segment(a.contact[0], b.contact[0], middle.contact[0]),
+                   off_segment(a.contact[1], b.contact[1], middle.contact[1])});
 }
 
 class Roller {
