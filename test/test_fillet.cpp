@@ -185,6 +185,15 @@ TEST(Fillet, LinkageCurvesMayRunAlongEdges) {
   EXPECT_LT(b.outcome.blends[0].radius_error, 0.005);
 }
 
+TEST(Fillet, LinkageCurvesMayTouchEdges) {
+  // The contact circle's polyline meets the grid line x = 20 in points from one side.
+  const Blend_mesh body = grid_box({-50, -50, -10}, {50, 50, 0}, 60),
+                   boss = transformed(cylinder(R, 56, -5.1, 40.3, 27), placement({0, 0, 1}, 0.1));
+  const Blended b = blend(body, boss, Boolean_operation::union_, options_of(r, 1e-5));
+  ASSERT_TRUE(b.outcome.ok());
+  EXPECT_NEAR(b.change, foot_volume(R, r), 0.01 * foot_volume(R, r));
+}
+
 TEST(Fillet, SameInputGivesTheSameBytes) {
   const Blend_mesh a = sphere(10, 3), b = sphere(7, 3, {9, 1, 2});
   const Blended first = blend(a, b, Boolean_operation::union_, options_of(1));
