@@ -201,6 +201,30 @@ TEST(Fillet, SameInputGivesTheSameBytes) {
   EXPECT_TRUE(identical(first.mesh, second.mesh));
 }
 
+TEST(Fillet, SameInputGivesTheSameBytesWhereverItLiesInMemory) {
+  struct Case {
+    Blend_mesh a, b;
+    double radius;
+  };
+  const std::vector<Case> cases{
+      {cylinder(1, 64, -2, 2), transformed(cylinder(1, 64, -3, 3), placement({0, 1, 0}, pi / 2)), 0},
+      {sphere(10, 4), sphere(8, 4, {9, 0, 0}), 1}};
+  for (const Case& c : cases) {
+    std::vector<std::vector<char>> gaps;  // what comes after them goes to other addresses
+    std::vector<Blend_mesh> ballast;
+    Blend_mesh first;
+    for (int k = 0; k < 12; ++k) {
+      gaps.emplace_back(1000 * (k + 1));
+      ballast.push_back(sphere(1, k % 4));
+      Blend_mesh out;
+      const auto outcome = corefine_and_fillet(c.a, c.b, Boolean_operation::union_, out, options_of(c.radius));
+      ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+      if (k == 0) first = out;
+      EXPECT_TRUE(identical(first, out)) << "radius " << c.radius << ", run " << k;
+    }
+  }
+}
+
 TEST(Fillet, FollowsMotionAndScale) {
   const Blend_mesh a = plate(50, 10), b = cylinder(R, 64, -5, 40);
   const double change = blend(a, b, Boolean_operation::union_, options_of(r)).change;
