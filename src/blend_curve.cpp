@@ -5,9 +5,16 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cgal_blend {
+
+double off_segment(const Vec& a, const Vec& b, const Vec& p) {
+  const Vec chord = b - a;
+  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (p - a - t * chord).norm();
+}
 
 struct Curve_locator::Tree {
   using Segment = Kernel::Segment_3;

@@ -21,6 +21,9 @@ struct Blend_curve {
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == points.size() ? 0 : i + 1; }
 };
 
+/// Distance of a point from the segment a b.
+[[nodiscard]] double off_segment(const Vec& a, const Vec& b, const Vec& p);
+
 /// Nearest points on a closed polyline.
 class Curve_locator {
  public:

@@ -46,12 +46,6 @@ void zip(const Blend_mesh& mesh, const std::vector<Vertex>& low, const std::vect
   }
 }
 
-double off_segment(const Vec& a, const Vec& b, const Vec& p) {
-  const Vec chord = b - a;
-  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (p - a - t * chord).norm();
-}
-
 }  // namespace
 
 std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface,

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boolean.h"
 
+#include "stitching.h"
+
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <exception>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 namespace cgal_blend {
@@ -25,8 +30,8 @@ struct Record {
   Cell current = 0;
   bool coplanar = false;
   bool contact = false;
-  bool spread = false;                             // contact beyond vertices, or at vertices that are not in line
-  std::vector<Point_3> at_vertices;                // up to two different ones
+  bool spread = false;               // contact beyond vertices, or at vertices that are not in line
+  std::vector<Point_3> at_vertices;  // up to two different ones
 
   void note(const Point_3* vertex) {
     contact = true;
@@ -96,11 +101,66 @@ bool flat(Edge e, const Blend_mesh& mesh, const Cell_map& cells, const std::arra
     const Face face = mesh.face(mesh.halfedge(e, side));
     const Blend_mesh& base = *operands[cells.operand(face)];
     int i = 0;
-    for (const Vertex v : base.vertices_around_face(base.halfedge(cells.base_face(face)))) corner[side][i++] = base.point(v);
+    for (const Vertex v : base.vertices_around_face(base.halfedge(cells.base_face(face))))
+      corner[side][i++] = base.point(v);
   }
   for (const Point_3& p : corner[1])
     if (!CGAL::coplanar(corner[0][0], corner[0][1], corner[0][2], p)) return false;
   return true;
+}
+
+/// Puts the result into an order that depends on the operands only: corefinement takes its own from addresses. Vertices
+/// of the operands come first, new ones by their place; faces go by the face that they are a part of, and their corners.
+void put_in_order(Blend_mesh& mesh, Record& record, std::vector<Edge>& creases) {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> rank(mesh.number_of_vertices(), no_origin);
+  const auto list = [&](Vertex v) {
+    if (v == Blend_mesh::null_vertex() || rank[v.idx()] != no_origin) return;
+    rank[v.idx()] = static_cast<std::uint32_t>(vertices.size());
+    vertices.push_back(v);
+  };
+  for (const auto& of_operand : record.vertex_of)
+    for (const Vertex v : of_operand) list(v);
+  std::vector<Vertex> others;
+  for (const Vertex v : mesh.vertices())
+    if (rank[v.idx()] == no_origin) others.push_back(v);
+  std::sort(others.begin(), others.end(), [&](Vertex v, Vertex w) { return mesh.point(v) < mesh.point(w); });
+  for (const Vertex v : others) list(v);
+
+  struct Key {
+    Cell cell;
+    std::array<std::uint32_t, 3> corner;
+    Face face;
+    bool operator<(const Key& other) const { return std::tie(cell, corner) < std::tie(other.cell, other.corner); }
+  };
+  std::vector<Key> keys;
+  for (const Face f : mesh.faces()) {
+    Halfedge first = mesh.halfedge(f);
+    for (const Halfedge h : mesh.halfedges_around_face(first))
+      if (rank[mesh.target(h).idx()] < rank[mesh.target(first).idx()]) first = h;
+    mesh.set_halfedge(f, first);
+    keys.push_back({record.cell_of_face[f.idx()], {}, f});
+    for (auto& corner : keys.back().corner) {
+      corner = rank[mesh.target(first).idx()];
+      first = mesh.next(first);
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<Face> faces;
+  std::vector<Cell> cell_of_face;
+  for (const Key& key : keys) {
+    faces.push_back(key.face);
+    cell_of_face.push_back(key.cell);
+  }
+  Blend_mesh ordered = reorder(mesh, vertices, faces).mesh;
+  for (Edge& e : creases)
+    e = ordered.edge(ordered.halfedge(Vertex(rank[mesh.vertex(e, 0).idx()]), Vertex(rank[mesh.vertex(e, 1).idx()])));
+  std::sort(creases.begin(), creases.end());
+  record.cell_of_face = std::move(cell_of_face);
+  for (auto& of_operand : record.vertex_of)
+    for (Vertex& v : of_operand)
+      if (v != Blend_mesh::null_vertex()) v = Vertex(rank[v.idx()]);
+  mesh = std::move(ordered);
 }
 
 Diagnosis refusal(Status status) {
@@ -139,10 +199,13 @@ Boolean_result compute_boolean(const Blend_mesh& a, const Blend_mesh& b, Boolean
     return result;
   }
   record->cell_of_face.resize(result.mesh.number_of_faces());
-  result.cells = Cell_map(record->faces, std::move(record->cell_of_face), std::move(record->vertex_of));
+  std::vector<Edge> creases;
   for (const Edge e : result.mesh.edges())
-    if (crease[e] && !flat(e, result.mesh, result.cells, {&a, &b})) result.curves.push_back(e);
-  result.mesh.remove_property_map(crease);
+    if (crease[e]) creases.push_back(e);
+  put_in_order(result.mesh, *record, creases);
+  result.cells = Cell_map(record->faces, std::move(record->cell_of_face), std::move(record->vertex_of));
+  for (const Edge e : creases)
+    if (!flat(e, result.mesh, result.cells, {&a, &b})) result.curves.push_back(e);
   return result;
 }
 

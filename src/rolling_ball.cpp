@@ -32,16 +32,10 @@ double step_length(const Ball_position& a, const Ball_position& b) {
       {(b.center - a.center).norm(), (b.contact[0] - a.contact[0]).norm(), (b.contact[1] - a.contact[1]).norm()});
 }
 
-double off_chord(const Vec& a, const Vec& b, const Vec& p) {
-  const Vec chord = b - a;
-  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (p - a - t * chord).norm();
-}
-
 double chord_error(const Ball_position& a, const Ball_position& b, const Ball_position& middle) {
-  return std::max({off_chord(a.center, b.center, middle.center),
-                   off_chord(a.contact[0], b.contact[0], middle.contact[0]),
-                   off_chord(a.contact[1], b.contact[1], middle.contact[1])});
+  return std::max({off_segment(a.center, b.center, middle.center),
+                   off_segment(a.contact[0], b.contact[0], middle.contact[0]),
+                   off_segment(a.contact[1], b.contact[1], middle.contact[1])});
 }
 
 class Roller {
@@ -189,6 +183,13 @@ class Roller {
   std::optional<Vec> blocked_, failure_;
 };
 
+double mean_step(const std::vector<Ball_guess>& guesses) {
+  double length = 0;
+  for (std::size_t i = 0; i < guesses.size(); ++i)
+    length += (guesses[(i + 1) % guesses.size()].point - guesses[i].point).norm();
+  return length / static_cast<double>(guesses.size());
+}
+
 }  // namespace
 
 Sampling sampling(double chord_tolerance) {
@@ -197,20 +198,22 @@ Sampling sampling(double chord_tolerance) {
 }
 
 Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
-                    double radius, const Sampling& wanted) {
+                    double radius, const Sampling& sampling) {
   const Ball_solver solver(surfaces, curve.convex ? -radius : radius);
   const Curve_locator locator(curve.points);
-  Sampling sampling = wanted;
-  if (sampling.samples > 0) sampling.coarsest = locator.length() / static_cast<double>(sampling.samples) / radius;
-  const double step = sampling.coarsest * radius;
-  Roller roller(solver, sampling);
-  if (kind == Curve_kind::round) return roller.roll(guess_beyond_round(solver, curve, step), locator);
-  const std::vector<Ball_guess> guesses = guess_from_offsets(solver, curve, locator, step);
+  const Guess_spacing spacing{sampling.coarsest * radius, sampling.samples};
+  const auto roll = [&](const std::vector<Ball_guess>& guesses) {
+    Sampling steps = sampling;
+    if (sampling.samples > 0) steps.coarsest = mean_step(guesses) / radius;
+    return Roller(solver, steps).roll(guesses, locator);
+  };
+  if (kind == Curve_kind::round) return roll(guess_beyond_round(solver, curve, spacing));
+  const std::vector<Ball_guess> guesses = guess_from_offsets(solver, curve, locator, spacing);
   if (!guesses.empty()) {
-    Ball_path path = roller.roll(guesses, locator);
+    Ball_path path = roll(guesses);
     if (path.diagnosis.ok()) return path;
   }
-  return roller.roll(guess_from_wedges(solver, curve, step), locator);
+  return roll(guess_from_wedges(solver, curve, spacing));
 }
 
 }  // namespace cgal_blend

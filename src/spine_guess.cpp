@@ -96,8 +96,9 @@ struct Arc {
   }
 };
 
-std::size_t guess_count(double length, double step) {
-  return std::max(fewest_guesses, static_cast<std::size_t>(std::ceil(length / step)));
+std::size_t guess_count(double length, const Guess_spacing& spacing) {
+  return std::max(fewest_guesses,
+                  spacing.count > 0 ? spacing.count : static_cast<std::size_t>(std::ceil(length / spacing.step)));
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ int turns_along(const std::vector<Vec>& points, const Curve_locator& locator) {
 }
 
 std::vector<Ball_guess> guess_from_offsets(const Ball_solver& solver, const Blend_curve& curve,
-                                           const Curve_locator& locator, double step) {
+                                           const Curve_locator& locator, const Guess_spacing& wanted) {
   const std::vector<double> reach = contact_reach(solver, curve);
   std::array<Base_patch, 2> patches;
   for (int side = 0; side < 2; ++side)
@@ -147,7 +148,7 @@ std::vector<Ball_guess> guess_from_offsets(const Ball_solver& solver, const Blen
   std::vector<Vec> points;
   for (const Offset_node& node : best.nodes) points.push_back(node.point);
   const Arc arc(points);
-  const std::size_t n = guess_count(arc.length(), step);
+  const std::size_t n = guess_count(arc.length(), wanted);
   const double spacing = arc.length() / static_cast<double>(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double s = spacing * static_cast<double>(i);
@@ -157,9 +158,10 @@ std::vector<Ball_guess> guess_from_offsets(const Ball_solver& solver, const Blen
   return guesses;
 }
 
-std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend_curve& curve, double step) {
+std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend_curve& curve,
+                                          const Guess_spacing& wanted) {
   const Arc arc(curve.points);
-  const std::size_t n = guess_count(arc.length(), step);
+  const std::size_t n = guess_count(arc.length(), wanted);
   const double spacing = arc.length() / static_cast<double>(n);
   std::vector<Ball_guess> guesses;
   for (std::size_t i = 0; i < n; ++i) {
@@ -181,9 +183,10 @@ std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend
   return guesses;
 }
 
-std::vector<Ball_guess> guess_beyond_round(const Ball_solver& solver, const Blend_curve& curve, double step) {
+std::vector<Ball_guess> guess_beyond_round(const Ball_solver& solver, const Blend_curve& curve,
+                                           const Guess_spacing& wanted) {
   const Arc arc(curve.points);
-  const std::size_t n = guess_count(arc.length(), step);
+  const std::size_t n = guess_count(arc.length(), wanted);
   const double spacing = arc.length() / static_cast<double>(n);
   const double window = std::min(solver.radius(), arc.length() / 8);
   std::vector<Ball_guess> guesses;

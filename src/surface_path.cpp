@@ -4,12 +4,14 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cgal_blend {
 
 namespace {
 
 constexpr int longest_section = 100000;  // faces
+constexpr double flat_of_snap = 1e-6;    // vertices nearer to a section lie in it
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
 /// A station under construction, with the given point that it stands for, if any.
@@ -40,40 +42,15 @@ class Path_builder {
  public:
   Path_builder(const Base_surface& surface, double snap) : surface_(surface), mesh_(surface.mesh()), snap_(snap) {}
 
-  /// Appends the edges crossed between two points; false if the section misses the second.
-  bool trace(const Surface_point& from, const Surface_point& to, std::vector<Draft>& out) const {
-    if (from.face == to.face) return true;
-    const Vec a = surface_.position(from), b = surface_.position(to);
-    const Vec plane = (b - a).cross(surface_.normal(from) + surface_.normal(to)).stableNormalized();
-    const auto height = [&](Vertex v) { return (to_vec(mesh_.point(v)) - a).dot(plane); };
-    const auto crossing = [&](Halfedge h, double hs, double ht) -> Vec {
-      const double t = hs / (hs - ht);
-      return (1 - t) * to_vec(mesh_.point(mesh_.source(h))) + t * to_vec(mesh_.point(mesh_.target(h)));
-    };
-    Face face = from.face;
-    Halfedge entered;
-    const double distance = (b - a).squaredNorm();
-    for (int step = 0; step < longest_section; ++step) {
-      Halfedge exit;
-      Vec at = a;
-      double progress = -distance;
-      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(face))) {
-        if (h == entered) continue;
-        const double hs = height(mesh_.source(h)), ht = height(mesh_.target(h));
-        if ((hs >= 0) == (ht >= 0)) continue;  // zero counts as above: consistent at each vertex
-        const Vec x = crossing(h, hs, ht);
-        const double ahead = (x - a).dot(b - a);
-        if (exit != Blend_mesh::null_halfedge() && ahead <= progress) continue;
-        exit = h;
-        at = x;
-        progress = ahead;
-      }
-      if (exit == Blend_mesh::null_halfedge() || !surface_.crossable(exit)) return false;
-      if (progress > 1.5 * distance || progress < -0.5 * distance) return false;
-      out.push_back(on_edge(mesh_, exit, at));
-      entered = mesh_.opposite(exit);
-      face = mesh_.face(entered);
-      if (face == to.face) return true;
+  /// Appends the edges crossed between two stations; false if the section misses the second. A station on an edge or a
+  /// vertex is in all faces there: where the path runs along edges, rounding decides on which side of them.
+  bool trace(const Draft& from, const Draft& to, const Vec& normal, std::vector<Draft>& out) const {
+    const std::vector<Face> starts = faces_at(from), ends = faces_at(to);
+    if (std::find_first_of(starts.begin(), starts.end(), ends.begin(), ends.end()) != starts.end()) return true;
+    const std::size_t size = out.size();
+    for (const Face start : starts) {
+      if (trace_from(start, ends, from.point, to.point, normal, out)) return true;
+      out.resize(size);
     }
     return false;
   }
@@ -108,6 +85,60 @@ class Path_builder {
   [[nodiscard]] double snap() const { return snap_; }
 
  private:
+  /// The smooth faces that a station belongs to, first the one that it was found in.
+  [[nodiscard]] std::vector<Face> faces_at(const Draft& draft) const {
+    std::vector<Face> faces{draft.face};
+    if (draft.kind == Station::Kind::edge)
+      for (const Halfedge h : {draft.edge, mesh_.opposite(draft.edge)})
+        if (mesh_.face(h) != draft.face) faces.push_back(mesh_.face(h));
+    if (draft.kind == Station::Kind::vertex) {
+      Halfedge corner = mesh_.halfedge(draft.face);
+      while (mesh_.target(corner) != draft.vertex) corner = mesh_.next(corner);
+      const Halfedge fan = surface_.fan(corner);
+      for (const Halfedge h : mesh_.halfedges_around_target(corner))
+        if (h != corner && surface_.fan(h) == fan) faces.push_back(mesh_.face(h));
+    }
+    return faces;
+  }
+
+  bool trace_from(Face face, const std::vector<Face>& ends, const Vec& a, const Vec& b, const Vec& normal,
+                  std::vector<Draft>& out) const {
+    const Vec plane = (b - a).cross(normal).stableNormalized();
+    const auto height = [&](Vertex v) {  // zero counts as above: consistent at each vertex
+      const double h = (to_vec(mesh_.point(v)) - a).dot(plane);
+      return std::abs(h) < flat_of_snap * snap_ ? 0 : h;
+    };
+    const auto crossing = [&](Halfedge h, double hs, double ht) -> Vec {
+      const double t = hs / (hs - ht);
+      return (1 - t) * to_vec(mesh_.point(mesh_.source(h))) + t * to_vec(mesh_.point(mesh_.target(h)));
+    };
+    Halfedge entered;
+    const double distance = (b - a).squaredNorm();
+    for (int step = 0; step < longest_section; ++step) {
+      Halfedge exit;
+      Vec at = a;
+      double progress = -distance;
+      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(face))) {
+        if (h == entered) continue;
+        const double hs = height(mesh_.source(h)), ht = height(mesh_.target(h));
+        if ((hs >= 0) == (ht >= 0)) continue;
+        const Vec x = crossing(h, hs, ht);
+        const double ahead = (x - a).dot(b - a);
+        if (exit != Blend_mesh::null_halfedge() && ahead <= progress) continue;
+        exit = h;
+        at = x;
+        progress = ahead;
+      }
+      if (exit == Blend_mesh::null_halfedge() || !surface_.crossable(exit)) return false;
+      if (progress > 1.5 * distance || progress < -0.5 * distance) return false;
+      out.push_back(on_edge(mesh_, exit, at));
+      entered = mesh_.opposite(exit);
+      face = mesh_.face(entered);
+      if (std::find(ends.begin(), ends.end(), face) != ends.end()) return true;
+    }
+    return false;
+  }
+
   [[nodiscard]] double distance_to(const Draft& draft, Vertex v) const {
     return (draft.point - to_vec(mesh_.point(v))).norm();
   }
@@ -158,12 +189,15 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
 std::optional<Surface_path> closed_path(const Base_surface& surface, const std::vector<Surface_point>& points,
                                         double snap, std::size_t& stuck) {
   const Path_builder builder(surface, snap);
-  std::vector<Draft> drafts;
+  std::vector<Draft> given, drafts;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    given.push_back(
+        builder.snapped({{Station::Kind::face, points[i].face, Halfedge(), Vertex(), surface.position(points[i])}, i}));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Surface_point& next = points[(i + 1) % points.size()];
-    drafts.push_back({{Station::Kind::face, points[i].face, Halfedge(), Vertex(), surface.position(points[i])}, i});
-    if (!builder.trace(points[i], next, drafts)) {
-      stuck = (i + 1) % points.size();
+    const std::size_t next = (i + 1) % points.size();
+    drafts.push_back(given[i]);
+    if (!builder.trace(given[i], given[next], surface.normal(points[i]) + surface.normal(points[next]), drafts)) {
+      stuck = next;
       return std::nullopt;
     }
   }

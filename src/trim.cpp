@@ -40,18 +40,20 @@ class Trimmer {
       if (!assign_segments(rim)) return fail();
     for (const Rim& rim : rims_)
       if (!assign_edge_stations(rim)) return fail();
-    for (auto& [cell, work] : work_)
-      if (!cut(cell, work)) return fail();
+    for (const auto& [cell, work] : work_)
+      if (!work.segments.empty() && !cut(cell, work)) return fail();
     if (!flood()) return fail();
+    for (const auto& [cell, work] : work_)
+      if (work.segments.empty() && !divide(cell)) return fail();
     return std::move(result_);
   }
 
  private:
-  /// What happens in one cell.
+  /// What happens in one cell. A rim that touches the cell's border in a point, and does not enter, has no segment in it.
   struct Work {
-    const Rim* rim = nullptr;              // any of those that cross the cell
-    std::vector<Directed> segments;        // what is kept lies to their left
-    std::set<Vertex> inner;                // rim vertices inside the cell
+    const Rim* rim = nullptr;        // any of those that cross the cell
+    std::vector<Directed> segments;  // what is kept lies to their left
+    std::set<Vertex> inner;          // rim vertices inside the cell
   };
 
   Trimming fail() {
@@ -131,81 +133,92 @@ class Trimmer {
     return true;
   }
 
-  /// The border of a cell as directed steps, divided at the edge stations.
-  std::vector<Directed> divided_boundary(Cell cell) {
+  /// An edge as directed steps, divided at the edge stations.
+  [[nodiscard]] std::vector<Directed> steps_of(Halfedge h) const {
+    std::vector<Vertex> chain{mesh_.source(h)};
+    const auto found = on_edge_.find(std::min(h, mesh_.opposite(h)));
+    if (found != on_edge_.end()) {
+      for (const auto& [t, v] : found->second) chain.push_back(v);
+      if (h != found->first) std::reverse(chain.begin() + 1, chain.end());
+    }
+    chain.push_back(mesh_.target(h));
+    std::vector<Directed> steps;
+    for (std::size_t i = 1; i < chain.size(); ++i) steps.push_back({chain[i - 1], chain[i]});
+    return steps;
+  }
+
+  [[nodiscard]] bool is_kept(const Directed& step) const { return kept_steps_.count(step) != 0; }
+
+  [[nodiscard]] std::vector<Directed> divided_boundary(Cell cell) const {
     std::vector<Directed> steps;
     for (const Halfedge h : boundary(cell)) {
       if (curves_.count(mesh_.edge(h))) continue;  // goes with the blend; nothing that is kept ends there
-      std::vector<Vertex> chain{mesh_.source(h)};
-      const auto found = on_edge_.find(std::min(h, mesh_.opposite(h)));
-      if (found != on_edge_.end()) {
-        for (const auto& [t, v] : found->second) chain.push_back(v);
-        if (h != found->first) std::reverse(chain.begin() + 1, chain.end());
-      }
-      chain.push_back(mesh_.target(h));
-      for (std::size_t i = 1; i < chain.size(); ++i) steps.push_back({chain[i - 1], chain[i]});
+      for (const Directed& step : steps_of(h)) steps.push_back(step);
     }
     return steps;
   }
 
   bool cut(Cell cell, const Work& work) {
-    for (const Face f : cells_.faces(cell)) {
-      touched_.insert(f);
-      result_.removed.push_back(f);
-    }
-    const std::vector<Directed> border = divided_boundary(cell);
     const std::vector<Face> parts = cells_.faces(cell);
-    const Rim& rim = *work.rim;
-    if (parts.empty()) return refuse(Status::no_rolling_ball, mesh_point(work));
-    // The plane of the cell, oriented outward: that of the base face it is a part of.
-    const Vec normal = rim.surface->frame(cells_.base_face(parts.front())).face_normal;
-    const Cell_triangulation kept = triangulate_cell(mesh_, normal, border, work.segments, work.inner);
-    if (!kept.conflict.has_value()) {
-      for (const auto& t : kept.triangles) {
-        result_.remnants.push_back(t);
-        result_.remnant_cells.push_back(cell);
-        for (int i = 0; i < 3; ++i) kept_steps_.insert({t[i], t[(i + 1) % 3]});
-      }
-      return true;
-    }
-    const Vec at = to_vec(*kept.conflict);
-    return refuse(Status::blends_overlap, at);
+    touched_.insert(parts.begin(), parts.end());
+    return replace(cell, parts, work.segments, work.inner);
   }
 
-  [[nodiscard]] Vec mesh_point(const Work& work) const { return to_vec(mesh_.point(work.segments.front().first)); }
+  /// What hangs together with a cell that is only touched decides whether it stays.
+  bool divide(Cell cell) {
+    const std::vector<Face> parts = cells_.faces(cell);
+    const auto gone = std::count_if(parts.begin(), parts.end(), [&](Face f) { return dropped_.count(f) != 0; });
+    if (gone == static_cast<std::ptrdiff_t>(parts.size())) return true;
+    if (gone > 0) return refuse(Status::blends_overlap, corner_of(parts.front()));
+    return replace(cell, parts, divided_boundary(cell), {});
+  }
+
+  bool replace(Cell cell, const std::vector<Face>& parts, const std::vector<Directed>& segments,
+               const std::set<Vertex>& inner) {
+    if (parts.empty()) return refuse(Status::no_rolling_ball, to_vec(mesh_.point(segments.front().first)));
+    result_.removed.insert(result_.removed.end(), parts.begin(), parts.end());
+    // The plane of the cell, oriented outward: that of the base face it is a part of.
+    const Vec normal = work_.at(cell).rim->surface->frame(cells_.base_face(parts.front())).face_normal;
+    const Cell_triangulation kept = triangulate_cell(mesh_, normal, divided_boundary(cell), segments, inner);
+    if (kept.conflict) return refuse(Status::blends_overlap, to_vec(*kept.conflict));
+    for (const auto& t : kept.triangles) {
+      result_.remnants.push_back(t);
+      result_.remnant_cells.push_back(cell);
+      for (int i = 0; i < 3; ++i) kept_steps_.insert({t[i], t[(i + 1) % 3]});
+    }
+    return true;
+  }
+
+  [[nodiscard]] Vec corner_of(Face f) const { return to_vec(mesh_.point(mesh_.target(mesh_.halfedge(f)))); }
 
   /// Everything behind a part of a cut cell's border that no remnant uses goes, and what hangs together with it.
   bool flood() {
     std::vector<Face> stack;
-    std::unordered_set<Face> dropped;
     const auto drop = [&](Face f) {
-      if (touched_.count(f) || !dropped.insert(f).second) return;
+      if (touched_.count(f) || !dropped_.insert(f).second) return;
       stack.push_back(f);
     };
     for (const Edge e : curves_)
       for (const Halfedge h : {mesh_.halfedge(e, 0), mesh_.halfedge(e, 1)}) drop(mesh_.face(h));
-    for (const auto& [cell, work] : work_)
+    for (const auto& [cell, work] : work_) {
+      if (work.segments.empty()) continue;
       for (const Halfedge h : boundary(cell))
-        if (!kept_steps_.count({mesh_.source(h), mesh_.target(h)})) drop_beyond(h, drop);
+        for (const Directed& step : steps_of(h))
+          if (!is_kept(step)) drop(mesh_.face(mesh_.opposite(h)));
+    }
     while (!stack.empty()) {
       const Face f = stack.back();
       stack.pop_back();
       result_.removed.push_back(f);
       for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
         const Halfedge o = mesh_.opposite(h);
-        if (!touched_.count(mesh_.face(o)))
-          drop(mesh_.face(o));
-        else if (kept_steps_.count({mesh_.source(o), mesh_.target(o)}))  // would leave a hole
-          return refuse(Status::blends_overlap, to_vec(mesh_.point(mesh_.source(h))));
+        drop(mesh_.face(o));
+        for (const Directed& step : steps_of(o))
+          if (is_kept(step))  // would leave a hole
+            return refuse(Status::blends_overlap, to_vec(mesh_.point(mesh_.source(h))));
       }
     }
     return true;
-  }
-
-  template <class Drop>
-  void drop_beyond(Halfedge h, const Drop& drop) const {
-    // A divided edge lies between two cut cells; there is nothing untouched beyond it.
-    if (!on_edge_.count(std::min(h, mesh_.opposite(h)))) drop(mesh_.face(mesh_.opposite(h)));
   }
 
   const Blend_mesh& mesh_;
@@ -214,7 +227,7 @@ class Trimmer {
   const std::unordered_set<Edge>& curves_;
   std::map<Cell, Work> work_;
   std::map<Halfedge, std::multimap<double, Vertex>> on_edge_;
-  std::unordered_set<Face> touched_;
+  std::unordered_set<Face> touched_, dropped_;
   std::set<Directed> kept_steps_;
   Trimming result_;
 };
@@ -223,8 +236,8 @@ class Trimmer {
 
 Diagnosis add_rim_vertices(Blend_mesh& mesh, const Cell_map& cells, Rim& rim) {
   for (const Station& s : rim.path.stations) {
-    const Vertex v = s.kind == Station::Kind::vertex ? cells.vertex(rim.operand, s.vertex)
-                                                     : mesh.add_vertex(to_point(s.point));
+    const Vertex v =
+        s.kind == Station::Kind::vertex ? cells.vertex(rim.operand, s.vertex) : mesh.add_vertex(to_point(s.point));
     if (v == Blend_mesh::null_vertex()) return refusal(Status::no_rolling_ball, s.point);
     rim.vertices.push_back(v);
   }

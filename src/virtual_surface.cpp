@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace cgal_blend {
@@ -12,17 +13,13 @@ namespace cgal_blend {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr std::size_t length_samples = 512;  // of a profile, to spread parameters by length
-constexpr int deepest_row = 10;              // halvings
-constexpr double end_step = 1e-6;            // of the parameter, for tangents at the ends
+constexpr double length_samples = 512;  // steps from contact to apex to contact, to spread parameters by length
+constexpr int least_sample = 4;         // halvings, though the profile comes back to where it was
+constexpr int deepest_sample = 40;
+constexpr int deepest_row = 16;
+constexpr double end_step = 1e-6;  // of the parameter, for tangents at the ends
 
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
-double off_segment(const Vec& a, const Vec& b, const Vec& p) {
-  const Vec chord = b - a;
-  const double t = std::clamp((p - a).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (p - a - t * chord).norm();
-}
 
 }  // namespace
 
@@ -73,41 +70,50 @@ Vec Virtual_surface::place(const Section& section, const Profile_point& p) {
 
 /// Spreads the parameters by length, once for all profiles, so that rows correspond.
 void Virtual_surface::make_even() {
-  if (!profile_.is_arc()) {
-    std::vector<double> parameters(profile_.kinks());
-    for (std::size_t k = 0; k <= length_samples; ++k)
-      parameters.push_back(static_cast<double>(k) / static_cast<double>(length_samples));
-    std::sort(parameters.begin(), parameters.end());
-    std::vector<double> length{0};
-    for (std::size_t k = 1; k < parameters.size(); ++k) {
-      const auto at = [&](std::size_t j) {
-        return place(sections_[widest_], profile_(parameters[j], sections_[widest_].frame));
+  if (profile_.is_arc()) return;
+  const Section& widest = sections_[widest_];
+  const auto at = [&](double parameter) { return place(widest, profile_(parameter, widest.frame)); };
+  const double longest_step =
+      ((widest.apex - widest.contact_1).norm() + (widest.apex - widest.contact_2).norm()) / length_samples;
+  parameters_ = {0};
+  lengths_ = {0};
+  const std::function<void(double, const Vec&, double, const Vec&, int)> sample =
+      [&](double low, const Vec& a, double high, const Vec& b, int depth) {
+        const double step = (b - a).norm();
+        if (depth < deepest_sample && (depth < least_sample || step > longest_step)) {
+          const double middle = (low + high) / 2;
+          const Vec between = at(middle);
+          sample(low, a, middle, between, depth + 1);
+          sample(middle, between, high, b, depth + 1);
+        } else {
+          parameters_.push_back(high);
+          lengths_.push_back(lengths_.back() + step);
+        }
       };
-      length.push_back(length.back() + (at(k) - at(k - 1)).norm());
-    }
-    const double total = length.back();
-    for (std::size_t k = 0, j = 1; k <= length_samples; ++k) {
-      const double wanted = total * static_cast<double>(k) / static_cast<double>(length_samples);
-      while (j + 1 < length.size() && length[j] < wanted) ++j;
-      const double step = length[j] - length[j - 1];
-      const double part = step > 0 ? std::clamp((wanted - length[j - 1]) / step, 0.0, 1.0) : 0;
-      even_.push_back(parameters[j - 1] + part * (parameters[j] - parameters[j - 1]));
-    }
-    for (const double kink : profile_.kinks()) {
-      const auto at = std::lower_bound(parameters.begin(), parameters.end(), kink) - parameters.begin();
-      // On the nearest sample, so that the corner is met exactly.
-      const auto k = static_cast<std::size_t>(std::lround(length[at] / total * static_cast<double>(length_samples)));
-      even_[k] = kink;
-      kinks_.push_back(static_cast<double>(k) / static_cast<double>(length_samples));
-    }
+  std::vector<double> stops = profile_.kinks();
+  stops.push_back(1);
+  std::vector<std::size_t> corners;
+  for (const double stop : stops) {
+    const double low = parameters_.back();
+    sample(low, at(low), stop, at(stop), 0);
+    corners.push_back(parameters_.size() - 1);
+  }
+  corners.pop_back();
+  const double total = lengths_.back();
+  for (double& length : lengths_) length /= total;
+  for (const std::size_t corner : corners) {  // corners in one place make one
+    const double before = kinks_.empty() ? 0 : kinks_.back();
+    if (lengths_[corner] > before && lengths_[corner] < 1) kinks_.push_back(lengths_[corner]);
   }
 }
 
 double Virtual_surface::even(double u) const {
-  if (even_.empty()) return u;
-  const double at = u * static_cast<double>(length_samples);
-  const auto k = std::min(static_cast<std::size_t>(at), length_samples - 1);
-  return even_[k] + (at - static_cast<double>(k)) * (even_[k + 1] - even_[k]);
+  if (parameters_.empty()) return u;
+  const auto after = std::upper_bound(lengths_.begin(), lengths_.end(), u) - lengths_.begin();
+  const std::size_t k = std::clamp<std::size_t>(after, 1, lengths_.size() - 1);
+  const double step = lengths_[k] - lengths_[k - 1];
+  const double part = step > 0 ? std::clamp((u - lengths_[k - 1]) / step, 0.0, 1.0) : 1;
+  return part < 1 ? parameters_[k - 1] + part * (parameters_[k] - parameters_[k - 1]) : parameters_[k];
 }
 
 Vec Virtual_surface::on_profile(std::size_t i, double u) const {
@@ -163,7 +169,10 @@ double Virtual_surface::end_angle(std::size_t i, int side) const {
   const Section& section = sections_[i];
   const double u = side == 0 ? end_step : 1 - end_step;
   const Vec& contact = side == 0 ? section.contact_1 : section.contact_2;
-  const Vec tangent = place(section, profile_(u, section.frame)) - contact;
+  const Profile_point p = profile_(u, section.frame);
+  // Relative to the contact, because far from the origin the step is lost in the coordinates.
+  const Vec tangent = p.centre * (section.centre - contact) + p.contact_1 * (section.contact_1 - contact) +
+                      p.apex * (section.apex - contact) + p.contact_2 * (section.contact_2 - contact);
   const Vec& normal = section.face_normal[side];
   return std::atan2(std::abs(tangent.dot(normal)), tangent.cross(normal).norm()) * 180 / pi;
 }

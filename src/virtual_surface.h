@@ -33,8 +33,8 @@ class Virtual_surface {
   /// A point of the surface; t is taken modulo the length.
   [[nodiscard]] Vec operator()(double t, double u) const;
 
-  /// Parameters of the least rows, 0 and 1 included and at least one between, whose chords stay within `tolerance`
-  /// radii of every profile. An arc is divided evenly.
+  /// Parameters of rows, 0, the kinks and 1 included and at least one between, whose chords stay within `tolerance`
+  /// radii of the profile with the largest angle. An arc is divided evenly, into the fewest rows; others by halving.
   [[nodiscard]] std::vector<double> rows(double tolerance) const;
 
   /// Parameters of the profile's corners.
@@ -61,7 +61,8 @@ class Virtual_surface {
   Profile profile_;
   std::vector<Section> sections_;
   std::vector<double> start_;
-  std::vector<double> even_;  ///< profile parameters at equal steps of length; empty: the profile's own are even
+  std::vector<double> parameters_;  ///< of the profile, increasing; empty: they are even by themselves
+  std::vector<double> lengths_;     ///< of the widest profile up to each of them, as a fraction
   std::vector<double> kinks_;
   std::size_t widest_ = 0;  ///< the profile with the largest angle
 };

@@ -212,15 +212,21 @@ inline bool faces_kept_in_order(const Blend_mesh& part, const Blend_mesh& whole,
   return true;
 }
 
-/// True if two meshes have the same vertices, bit for bit, and the same faces, both in the same order.
-inline bool identical(const Blend_mesh& a, const Blend_mesh& b) {
+/// True if vertices and faces are the same, in the same order, wherever the vertices lie.
+inline bool same_connectivity(const Blend_mesh& a, const Blend_mesh& b) {
   if (a.number_of_vertices() != b.number_of_vertices() || a.number_of_faces() != b.number_of_faces()) return false;
-  auto v = b.vertices().begin();
-  for (const Vertex u : a.vertices())
-    if (a.point(u) != b.point(*v++)) return false;
   auto g = b.faces().begin();
   for (const Face f : a.faces())
     if (turned_corners_of(a, f) != turned_corners_of(b, *g++)) return false;
+  return true;
+}
+
+/// True if two meshes have the same vertices, bit for bit, and the same faces, both in the same order.
+inline bool identical(const Blend_mesh& a, const Blend_mesh& b) {
+  if (!same_connectivity(a, b)) return false;
+  auto v = b.vertices().begin();
+  for (const Vertex u : a.vertices())
+    if (a.point(u) != b.point(*v++)) return false;
   return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Aff_transformation_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -135,6 +136,51 @@ inline Blend_mesh cylinder(double radius, int n, double z0, double z1, int rings
     }
   }
   return mesh_of(points, triangles);
+}
+
+/// Body of revolution about the z-axis in n steps: the outline runs from a point on the axis below to one on the axis
+/// above, as (distance from the axis, height).
+inline Blend_mesh turned(const std::vector<std::pair<double, double>>& outline, int n) {
+  const std::size_t steps = n, circles = outline.size() - 2;
+  std::vector<Point_3> points;
+  for (std::size_t k = 1; k <= circles; ++k)
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double angle = 2 * pi * i / steps;
+      points.emplace_back(outline[k].first * std::cos(angle), outline[k].first * std::sin(angle), outline[k].second);
+    }
+  const std::size_t bottom = points.size(), top = bottom + 1, last = (circles - 1) * steps;
+  points.emplace_back(0, 0, outline.front().second);
+  points.emplace_back(0, 0, outline.back().second);
+  std::vector<Corner_indices> triangles;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const std::size_t j = (i + 1) % steps;
+    triangles.push_back({bottom, j, i});
+    triangles.push_back({top, last + i, last + j});
+    for (std::size_t k = 0; k + 1 < circles; ++k) {
+      const std::size_t a = k * steps, b = a + steps;
+      triangles.push_back({a + i, a + j, b + j});
+      triangles.push_back({a + i, b + j, b + i});
+    }
+  }
+  return mesh_of(points, triangles);
+}
+
+/// Round plate of radius a below z = 0 with a boss of radius R on it, in steps of about `step` in all directions; the
+/// boss meets the plate in one circle of edges at z = 0.
+inline Blend_mesh boss_on_plate(double radius, double a, double thickness, double height, double step) {
+  std::vector<std::pair<double, double>> outline{{0, -thickness}};
+  const auto line_to = [&](double rho, double z) {
+    const auto [rho0, z0] = outline.back();
+    const int n = std::max(1, static_cast<int>(std::lround(std::hypot(rho - rho0, z - z0) / step)));
+    for (int k = 1; k < n; ++k) outline.emplace_back(rho0 + k * (rho - rho0) / n, z0 + k * (z - z0) / n);
+    outline.emplace_back(rho, z);
+  };
+  line_to(a, -thickness);
+  line_to(a, 0);
+  line_to(radius, 0);
+  line_to(radius, height);
+  line_to(0, height);
+  return turned(outline, static_cast<int>(std::lround(2 * pi * radius / step)));
 }
 
 /// Cone about the z-axis: n-gon of radius R at z = 0, apex at z = height.

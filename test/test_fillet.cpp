@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rolling-ball blends against closed forms: tori where planes and cylinders meet, and the exact spine of two cylinders.
-#include "checks.h"
-#include "shapes.h"
-
-#include <cgal_blend/creases.h>
-#include <cgal_blend/fillet.h>
-#include <cgal_blend/validate.h>
+#include "blends.h"
 
 #include <gtest/gtest.h>
 
@@ -24,80 +19,6 @@ using unchecked::fillet_edges;
 
 constexpr double R = 15, r = 5;
 constexpr double fine = 1e-4;  // chord tolerance: only the operands' facets count
-
-Fillet_options options_of(double radius, double chord_tolerance = 2e-3) {
-  Fillet_options options;
-  options.radius = radius;
-  options.chord_tolerance = chord_tolerance;
-  return options;
-}
-
-/// Fillet at the foot of a boss, and round of a bore's rim: a square ring section less a quarter disk (Pappus).
-double foot_volume(double R, double r) {
-  return 2 * pi * (r * r * (R + r / 2) - pi * r * r / 4 * (R + r - 4 * r / (3 * pi)));
-}
-
-/// Round of a boss's top rim.
-double rim_volume(double R, double r) {
-  return 2 * pi * (r * r * (R - r / 2) - pi * r * r / 4 * (R - r + 4 * r / (3 * pi)));
-}
-
-std::vector<Point_3> blend_points(const Blend_mesh& mesh, const Fillet_outcome& outcome) {
-  std::set<Vertex> vertices;
-  for (const Face f : outcome.blend_faces)
-    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f))) vertices.insert(v);
-  std::vector<Point_3> points;
-  for (const Vertex v : vertices) points.push_back(mesh.point(v));
-  return points;
-}
-
-template <class Distance>
-double largest(const std::vector<Point_3>& points, Distance distance) {
-  double worst = 0;
-  for (const Point_3& p : points) worst = std::max(worst, std::abs(distance(p)));
-  return worst;
-}
-
-struct Blended {
-  Blend_mesh mesh;
-  Fillet_outcome outcome;
-  double change = 0;  // of the volume, against the sharp body
-};
-
-Blended blend(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation, const Fillet_options& options) {
-  Blend_mesh sharp;
-  EXPECT_TRUE(corefine_and_fillet(a, b, operation, sharp, options_of(0)).ok());
-  Blended result;
-  result.outcome = corefine_and_fillet(a, b, operation, result.mesh, options);
-  EXPECT_EQ(result.outcome.diagnosis.status, Status::ok) << message(result.outcome.diagnosis);
-  if (!result.outcome.ok()) return result;
-  EXPECT_TRUE(validate(result.mesh).ok());
-  EXPECT_TRUE(is_closed_by_counting(result.mesh));
-  result.change = volume_of(result.mesh) - volume_of(sharp);
-  return result;
-}
-
-std::vector<Edge> creases_at_height(const Blend_mesh& mesh, double z) {
-  std::vector<Edge> edges;
-  for (const Edge e : mesh.edges())
-    if (mesh.point(mesh.vertex(e, 0)).z() == z && mesh.point(mesh.vertex(e, 1)).z() == z && is_crease(e, mesh, 45))
-      edges.push_back(e);
-  return edges;
-}
-
-Blended blend_edges(const Blend_mesh& mesh, const std::vector<Edge>& edges, const Fillet_options& options) {
-  Blended result;
-  result.outcome = fillet_edges(mesh, {{edges, options.radius}}, result.mesh, options);
-  EXPECT_EQ(result.outcome.diagnosis.status, Status::ok) << message(result.outcome.diagnosis);
-  if (!result.outcome.ok()) return result;
-  EXPECT_TRUE(validate(result.mesh).ok());
-  result.change = volume_of(result.mesh) - volume_of(mesh);
-  return result;
-}
-
-/// Observed order of convergence. Taken of the distances of vertices: the volume's error soon is that of the arcs' chords,
-/// two thirds of the chord tolerance on the fillet's section, whatever the operands' facets.
-double order(double coarse_error, double fine_error) { return std::log2(coarse_error / fine_error); }
 
 struct Step {
   int sides;
@@ -233,11 +154,75 @@ TEST(Fillet, FacesAwayFromTheBlendAreUntouched) {
   EXPECT_GE(blended.outcome.kept_faces, far_a.size() + far_b.size());
 }
 
+TEST(Fillet, LinkageCurvesMayRunAlongEdges) {
+  // Circles of edges where the ball touches: on the boss, on the plate, or on both.
+  std::vector<Blend_mesh> bodies;
+  for (const double step : {1.0, 0.5, 5.0}) bodies.push_back(boss_on_plate(R, 40, 8, 30, step));
+  for (const Blend_mesh& body : bodies)
+    for (const Blend_mode mode : {Blend_mode::stitch, Blend_mode::map}) {
+      Fillet_options options = options_of(r);
+      options.mode = mode;
+      std::vector<Edge> foot;
+      for (const Edge e : creases_at_height(body, 0))
+        if (!is_convex_edge(e, body)) foot.push_back(e);
+      Blend_mesh out;
+      const Fillet_outcome outcome = fillet_edges(body, {{foot, 0}}, out, options);
+      if (mode == Blend_mode::map && body.number_of_vertices() < 1000) continue;  // too coarse to be moved
+      ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+      EXPECT_TRUE(validate(out).ok());
+      EXPECT_LT(outcome.blends[0].radius_error, 0.1);
+      EXPECT_NEAR(volume_of(out) - volume_of(body), foot_volume(R, r), 0.1 * foot_volume(R, r));
+    }
+  for (const int rings : {8, 17}) {  // at 0, 5, 10, ...; every 2.5
+    const Blended b =
+        blend(plate(50, 10), cylinder(R, 128, -5, 40, rings), Boolean_operation::union_, options_of(r, fine));
+    ASSERT_TRUE(b.outcome.ok());
+    EXPECT_NEAR(b.change, foot_volume(R, r), 0.003 * foot_volume(R, r));
+  }
+  // The equator of a sphere is made of edges.
+  const Blended b = blend(plate(50, 10), sphere(20, 4, {0.01, 0.02, r}), Boolean_operation::union_, options_of(r));
+  ASSERT_TRUE(b.outcome.ok());
+  EXPECT_LT(b.outcome.blends[0].radius_error, 0.005);
+}
+
+TEST(Fillet, LinkageCurvesMayTouchEdges) {
+  // The contact circle's polyline meets the grid line x = 20 in points from one side.
+  const Blend_mesh body = grid_box({-50, -50, -10}, {50, 50, 0}, 60),
+                   boss = transformed(cylinder(R, 56, -5.1, 40.3, 27), placement({0, 0, 1}, 0.1));
+  const Blended b = blend(body, boss, Boolean_operation::union_, options_of(r, 1e-5));
+  ASSERT_TRUE(b.outcome.ok());
+  EXPECT_NEAR(b.change, foot_volume(R, r), 0.01 * foot_volume(R, r));
+}
+
 TEST(Fillet, SameInputGivesTheSameBytes) {
   const Blend_mesh a = sphere(10, 3), b = sphere(7, 3, {9, 1, 2});
   const Blended first = blend(a, b, Boolean_operation::union_, options_of(1));
   const Blended second = blend(a, b, Boolean_operation::union_, options_of(1));
   EXPECT_TRUE(identical(first.mesh, second.mesh));
+}
+
+TEST(Fillet, SameInputGivesTheSameBytesWhereverItLiesInMemory) {
+  struct Case {
+    Blend_mesh a, b;
+    double radius;
+  };
+  const std::vector<Case> cases{
+      {cylinder(1, 64, -2, 2), transformed(cylinder(1, 64, -3, 3), placement({0, 1, 0}, pi / 2)), 0},
+      {sphere(10, 4), sphere(8, 4, {9, 0, 0}), 1}};
+  for (const Case& c : cases) {
+    std::vector<std::vector<char>> gaps;  // what comes after them goes to other addresses
+    std::vector<Blend_mesh> ballast;
+    Blend_mesh first;
+    for (int k = 0; k < 12; ++k) {
+      gaps.emplace_back(1000 * (k + 1));
+      ballast.push_back(sphere(1, k % 4));
+      Blend_mesh out;
+      const auto outcome = corefine_and_fillet(c.a, c.b, Boolean_operation::union_, out, options_of(c.radius));
+      ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+      if (k == 0) first = out;
+      EXPECT_TRUE(identical(first, out)) << "radius " << c.radius << ", run " << k;
+    }
+  }
 }
 
 TEST(Fillet, FollowsMotionAndScale) {

@@ -39,19 +39,21 @@ Placed read_pair(const nlohmann::json& pair) {
 }
 
 /// Blends every pair with a radius that is a share of b's diagonal; returns how many came out blended.
-int blended(double share) {
+int blended(double share, Blend_mode mode = Blend_mode::stitch) {
   int count = 0;
   for (const auto& pair : nlohmann::json::parse(std::ifstream(models + "pairs.json"))) {
     const std::string name = pair["a"].get<std::string>() + " + " + pair["b"].get<std::string>();
     const Placed placed = read_pair(pair);
     Fillet_options options;
     options.radius = share * diagonal(placed.b);
+    options.mode = mode;
     Blend_mesh out;
     const Fillet_outcome outcome =
         unchecked::corefine_and_fillet(placed.a, placed.b, Boolean_operation::union_, out, options);
     if (!outcome.ok()) {
       EXPECT_EQ(status_class(outcome.diagnosis.status), Status_class::blend) << name << message(outcome.diagnosis);
       EXPECT_TRUE(outcome.diagnosis.point.has_value()) << name;
+      EXPECT_NE(outcome.diagnosis.status, Status::parametrization_folds) << name;
       EXPECT_TRUE(out.is_empty()) << name;
       continue;
     }
@@ -62,6 +64,9 @@ int blended(double share) {
     options.radius = 0;
     if (unchecked::corefine_and_fillet(placed.a, placed.b, Boolean_operation::union_, sharp, options).ok()) {
       EXPECT_GT(volume_of(out), volume_of(sharp)) << name;  // concave blends add material
+      if (mode == Blend_mode::map) {
+        EXPECT_TRUE(same_connectivity(out, sharp)) << name;
+      }
     }
   }
   return count;
@@ -75,6 +80,11 @@ TEST(Placements, OnePercentOfTheDiagonal) {
 TEST(Placements, TwoPercentOfTheDiagonal) {
   if (!std::filesystem::exists(models)) GTEST_SKIP() << "models are not at hand";
   EXPECT_GE(blended(0.02), 11);
+}
+
+TEST(Placements, OnePercentOfTheDiagonalByMovingVertices) {
+  if (!std::filesystem::exists(models)) GTEST_SKIP() << "models are not at hand";
+  EXPECT_GE(blended(0.01, Blend_mode::map), 12);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct Profile_point {
 };
 
 // A profile is a model of this concept: `Profile_point operator()(double u, const Profile_frame&) const`, a curve over
-// u in [0, 1] from P1 to P2. Optional: `std::vector<double> kinks() const`, the parameters of its corners.
+// u in [0, 1] from P1 to P2. Optional: `std::vector<double> kinks() const`, the parameters of its corners in (0, 1).
 
 /// Arc of the ball itself; u is the fraction of the angle.
 struct Arc_profile {
@@ -153,6 +153,9 @@ class Profile {
 
   template <class Model, class = std::enable_if_t<!std::is_same_v<std::decay_t<Model>, Profile>>>
   Profile(Model model) : is_arc_(std::is_same_v<Model, Arc_profile>), kinks_(kinks_of(model, 0)) {
+    std::sort(kinks_.begin(), kinks_.end());
+    kinks_.erase(std::unique(kinks_.begin(), kinks_.end()), kinks_.end());
+    CGAL_precondition(kinks_.empty() || (kinks_.front() > 0 && kinks_.back() < 1));
     if constexpr (std::is_same_v<Model, Conic_profile>) is_sharp_ = std::isinf(model.weight);
     evaluate_ = [held = std::move(model)](double u, const Profile_frame& frame) { return held(u, frame); };
   }
@@ -160,6 +163,7 @@ class Profile {
   [[nodiscard]] Profile_point operator()(double u, const Profile_frame& frame) const { return evaluate_(u, frame); }
   [[nodiscard]] bool is_arc() const noexcept { return is_arc_; }
   [[nodiscard]] bool is_sharp() const noexcept { return is_sharp_; }
+  /// Parameters of the corners in (0, 1), increasing.
   [[nodiscard]] const std::vector<double>& kinks() const noexcept { return kinks_; }
 
  private:
