@@ -68,7 +68,8 @@ inline Conic_profile sharp_profile() { return {std::numeric_limits<double>::infi
 
 /// Cubic with given end tangents: speed_1 (P0 - P1) at the start and speed_2 (P2 - P0) at the end.
 struct Hermite_profile {
-  double speed_1 = 1.65, speed_2 = 1.65;  ///< > 0; at 90 degrees 1.657 comes nearest to the arc
+  static constexpr double as_arc = 1.6568542494923801;  ///< 4 (sqrt 2 - 1): at 90 degrees nearly the arc
+  double speed_1 = as_arc, speed_2 = as_arc;           ///< > 0
 
   [[nodiscard]] Profile_point operator()(double u, const Profile_frame&) const {
     const double v = 1 - u;
