@@ -19,7 +19,8 @@
 namespace cgal_blend::test {
 namespace {
 
-constexpr double ball = 1;  // radius of all blends
+constexpr double ball = 1;               // radius of all blends but those of (d)
+constexpr double ball_on_fine_mesh = 6;  // wide against the faces
 
 Fillet_options options_of(double radius) {
   Fillet_options options;
@@ -151,7 +152,7 @@ void blend_along_growing_curve(benchmark::State& state) {
   for (int i = 0; i < count; ++i)
     bosses = side_by_side(bosses, boss_at(-a + 16.3 + 32 * (i % 4), -a + 16.2 + 32 * (i / 4)));
   const Blend_mesh body = united(grid_box({-a, -a, -2 * a}, {a, a, 0}, n), bosses);
-  const std::vector<Edge_blend> feet{{grooves(body), ball}};
+  const std::vector<Edge_blend> feet{{grooves(body), ball, {}}};
   Recorder recorder(state);
   for (auto _ : state) {
     Blend_mesh out;
@@ -160,6 +161,27 @@ void blend_along_growing_curve(benchmark::State& state) {
   recorder.write(body.number_of_faces());
   state.counters["curve_growth"] = against_first("c: curve", count, count);
   state.counters["blend_growth"] = against_first("c: blend", count, recorder.best().blend);
+}
+
+// (d) Mapping the vertices of a quarter of a million faces, against mapping a coarse level and restoring the detail.
+
+void coarse_level(benchmark::State& state) {
+  const Blend_mesh body = united(sphere(30, 6), sphere(22, 6, {27.1, 3.7, 5.9}));  // 132k faces
+  const std::vector<Edge_blend> seam{{grooves(body), ball_on_fine_mesh, {}}};
+  Fillet_options options = options_of(ball_on_fine_mesh);
+  options.mode = Blend_mode::map;
+  options.coarse_faces = static_cast<std::size_t>(state.range(0));
+  Recorder recorder(state);
+  double coarsen = 0;
+  for (auto _ : state) {
+    Blend_mesh out;
+    const Fillet_outcome outcome = unchecked::fillet_edges(body, seam, out, options);
+    if (!recorder.add(outcome)) return;
+    coarsen = outcome.times.coarsen;
+  }
+  recorder.write(body.number_of_faces());
+  state.counters["coarsen_ms"] = coarsen;
+  state.counters["blend_growth"] = against_first("d: blend", state.range(0), recorder.best().blend);
 }
 
 BENCHMARK_CAPTURE(blend_against_boolean, two_spheres, two_spheres)
@@ -176,6 +198,7 @@ BENCHMARK(blend_on_growing_mesh)
     ->Iterations(5)
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
+BENCHMARK(coarse_level)->Arg(0)->Arg(4000)->Arg(2000)->Iterations(3)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(blend_along_growing_curve)
     ->RangeMultiplier(2)
     ->Range(1, 16)

@@ -92,7 +92,8 @@ Vec Base_surface::smoothed_normal(const std::vector<Halfedge>& corners, Halfedge
       const Vec v = to_vec(mesh_.point(mesh_.target(g)));
       const Vec to = to_vec(mesh_.point(mesh_.target(mesh_.next(g)))) - v;
       const Vec from = to_vec(mesh_.point(mesh_.source(g))) - v;
-      sum += (options_.area_weights ? to.cross(from).norm() : angle_between(to, from)) * raw_normal(mesh_.face(g));
+      sum +=
+          (options_.area_weights ? to.cross(from).squaredNorm() : angle_between(to, from)) * raw_normal(mesh_.face(g));
     }
     return sum.stableNormalized();
   }

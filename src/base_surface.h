@@ -36,7 +36,7 @@ class Base_surface {
     double shortest_crease = 0;  ///< chains of such edges that are shorter are roughness, and smooth all the same
     int smoothing_passes = 0;    ///< Laplacian passes over the corner normals, for surfaces rough at the ball's scale
     bool reversed = false;       ///< true: the solid lies on the side the faces point to
-    bool area_weights = false;   ///< average normals by area: where large faces are the surface, and small ones a round
+    bool area_weights = false;   ///< average normals by squared area: large faces are the surface, small ones a round
   };
 
   /// \param creases edges across which the surface is not smooth, whatever their angle; may be null

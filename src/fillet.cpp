@@ -2,8 +2,9 @@
 #include <cgal_blend/fillet.h>
 
 #include "boolean.h"
-#include "collapse_short_edges.h"
+#include "fillet_coarse.h"
 #include "fillet_engine.h"
+#include "sharp_mesh.h"
 #include "snap_to_planes.h"
 #include "stopwatch.h"
 
@@ -17,6 +18,11 @@ namespace cgal_blend {
 
 namespace {
 
+Fillet_outcome blend_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
+                          const Fillet_options& options) {
+  return options.coarse_faces > 0 ? fillet_coarse(body, blends, out, options) : fillet_body(body, blends, out, options);
+}
+
 Diagnosis check_options(const Fillet_options& options) {
   const auto wrong = [](const char* what) {
     return Diagnosis{Status::invalid_parameter, what, std::nullopt, std::nullopt};
@@ -25,6 +31,8 @@ Diagnosis check_options(const Fillet_options& options) {
     return wrong("chord tolerance must lie between 1e-6 and 0.3");
   if (!(options.smooth_angle > 0 && options.smooth_angle < 180))
     return wrong("smooth angle must lie between 0 and 180 degrees");
+  if (options.coarse_faces > 0 && options.mode != Blend_mode::map)
+    return wrong("a coarse level keeps the connectivity, so it needs the map mode");
   if (!(options.chord_ratio >= 0 && options.chord_ratio <= 1)) return wrong("chord ratio must lie between 0 and 1");
   if (!(options.radius >= 0) || !std::isfinite(options.radius)) return wrong("radius must be a positive number");
   return {};
@@ -53,9 +61,7 @@ Status sharp_failure(const Boolean_result& sharp) {
 }
 
 Fillet_outcome sharp_boolean(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out) {
-  Blend_mesh mesh = sharp.mesh;
-  (void)collapse_short_edges(mesh, [&](Vertex v) { return body.cells.is_original(v); });
-  Fillet_outcome outcome = finish_body(body, mesh, {}, out);
+  Fillet_outcome outcome = finish_body(body, Sharp_mesh(body).mesh, {}, out);
   if (!outcome.diagnosis.ok()) {
     outcome.diagnosis.status = sharp_failure(sharp);
     out.clear();
@@ -74,7 +80,7 @@ Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend
   if (!outcome.diagnosis.ok()) return outcome;
   Fillet_body body;
   body.mesh = body.base[0] = body.base[1] = &mesh;
-  return fillet_body(body, blends, out, options);
+  return blend_body(body, blends, out, options);
 }
 
 Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& second, Boolean_operation operation,
@@ -106,7 +112,7 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
     body.reversed = {false, operation == Boolean_operation::difference};
     body.own_surface = false;
     if (blend)
-      outcome = fillet_body(body, {{sharp.curves, options.radius, {}}}, out, options);
+      outcome = blend_body(body, {{sharp.curves, options.radius, {}}}, out, options);
     else
       outcome = sharp_boolean(body, sharp, out);
   }

@@ -3,10 +3,10 @@
 
 #include "blend_curve.h"
 #include "blend_strip.h"
-#include "collapse_short_edges.h"
 #include "map_region.h"
 #include "refusal.h"
 #include "rolling_ball.h"
+#include "sharp_mesh.h"
 #include "stitching.h"
 #include "stopwatch.h"
 #include "trim.h"
@@ -21,7 +21,6 @@
 #include <map>
 #include <memory>
 #include <tuple>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -39,6 +38,11 @@ struct Smoothing {
 };
 constexpr std::array<Smoothing, 6> smoothings{
     {{0, 0, 0, 1}, {0, 2, 3, 1}, {50, 4, 6, 1.5}, {60, 6, 12, 2}, {75, 8, 24, 3}, {75, 12, 48, 4}}};
+
+// Views that are tried in the search for the largest radius, and its steps: down to 1/32, then to about 3 %.
+constexpr std::size_t quick_levels = 2;
+constexpr int radius_halvings = 5;
+constexpr int radius_bisections = 5;
 
 // A blend whose vertices are farther off the ball than this, in radii, is none. Rims on facets that are rough at the
 // scale of the ball come near it; on smooth surfaces the error is below 1 %.
@@ -66,6 +70,11 @@ bool status_is_of_mapping(Status status) {
          status == Status::region_too_coarse;
 }
 
+bool may_fit_smaller(Status status) {
+  return status == Status::radius_exceeds_face || status == Status::radius_exceeds_curvature ||
+         status == Status::no_rolling_ball || status == Status::blend_collides;
+}
+
 /// One branch on its way to becoming a blend.
 struct Job {
   std::vector<Halfedge> halfedges;
@@ -91,7 +100,9 @@ struct Assembly {
 
 class Engine {
  public:
-  Engine(const Fillet_body& body, const Fillet_options& options) : body_(body), options_(options) {}
+  /// \param thorough try every view of the surfaces, and find the largest radius that works where one is refused
+  Engine(const Fillet_body& body, const Fillet_options& options, bool thorough = true)
+      : body_(body), options_(options), thorough_(thorough), levels_(thorough ? smoothings.size() : quick_levels) {}
 
   Fillet_outcome run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
     Stopwatch watch;
@@ -108,6 +119,7 @@ class Engine {
       }
       outcome.diagnosis = escalate(assembly.blame, assembly.diagnosis);
     }
+    if (thorough_ && outcome.diagnosis.status != Status::cancelled) find_largest_radii(outcome);
     for (const Job& job : jobs_) outcome.blends.push_back(job.report);
     outcome.times = aside_;
     outcome.times.blend = watch.milliseconds() - aside_.copy - aside_.validate;
@@ -221,7 +233,7 @@ class Engine {
       if (job.rolled || !job.report.diagnosis.ok()) continue;
       if (options_.progress && !options_.progress(static_cast<double>(i) / static_cast<double>(jobs_.size())))
         return {Status::cancelled, "", {}, {}};
-      for (; job.level < smoothings.size(); ++job.level) {
+      for (; job.level < levels_; ++job.level) {
         const Diagnosis diagnosis = roll(job, i);
         job.rolled = diagnosis.ok();
         if (job.rolled) break;
@@ -295,7 +307,7 @@ class Engine {
     }
     const bool mesh_is_to_blame = status_is_of_mapping(diagnosis.status);
     if (mesh_is_to_blame) job.first_failure = diagnosis;
-    if (mesh_is_to_blame || ++job.level == smoothings.size()) refuse(job);
+    if (mesh_is_to_blame || ++job.level == levels_) refuse(job);
     return first_refusal();
   }
 
@@ -308,6 +320,38 @@ class Engine {
     if (status_is_of_mapping(job.first_failure->status)) return;
     if (const auto corner = find_corner(job, at ? to_vec(*at) : job.curve.points.front()))
       job.report.diagnosis = refusal(Status::corner, *corner);
+  }
+
+  /// Fills in the largest radius that works for curves where a smaller ball may do: tried on each alone, to the end.
+  void find_largest_radii(Fillet_outcome& outcome) {
+    for (Job& job : jobs_) {
+      if (!may_fit_smaller(job.report.diagnosis.status)) continue;
+      const bool is_the_refusal = !outcome.diagnosis.ok() && outcome.diagnosis.point == job.report.diagnosis.point &&
+                                  outcome.diagnosis.status == job.report.diagnosis.status;
+      double works = 0, fails = job.report.radius;
+      for (int i = 0; i < radius_halvings && works == 0; ++i) {
+        if (fits(job, fails / 2))
+          works = fails / 2;
+        else
+          fails /= 2;
+      }
+      if (works == 0) continue;
+      for (int i = 0; i < radius_bisections; ++i) {
+        const double middle = (works + fails) / 2;
+        (fits(job, middle) ? works : fails) = middle;
+      }
+      job.report.diagnosis.max_radius = works;
+      if (is_the_refusal) outcome.diagnosis.max_radius = works;
+    }
+  }
+
+  [[nodiscard]] bool fits(const Job& job, double radius) const {
+    Edge_blend blend{{}, radius, job.profile};
+    for (const Halfedge h : job.halfedges) blend.edges.push_back(body_.mesh->edge(h));
+    Fillet_options alone = options_;
+    alone.keep_going = false;
+    Blend_mesh ignored;
+    return Engine(body_, alone, false).run({blend}, ignored).ok();
   }
 
   /// `ok` as long as something can be written: all blends, or some of them if that is wanted.
@@ -383,25 +427,15 @@ class Engine {
   void map(const Blend_mesh& work, const Trimming& trimming, Assembly& result) {
     std::unordered_set<Vertex> between = vertices_between(work, trimming);
     Stopwatch watch;
-    Blend_mesh target = *body_.mesh;
+    Sharp_mesh sharp(body_);
     aside_.copy += watch.milliseconds();
-    // As the sharp result is written: same vertices, same faces.
-    std::unordered_map<Vertex, Vertex> merged;
-    if (!body_.own_surface) {
-      const auto collapsed = collapse_short_edges(target, [&](Vertex v) { return body_.cells.is_original(v); });
-      for (auto it = collapsed.rbegin(); it != collapsed.rend(); ++it)
-        merged[it->first] = merged.count(it->second) ? merged[it->second] : it->second;
-    }
-    const auto standing = [&](Vertex v) { return merged.count(v) ? merged.at(v) : v; };
+    Blend_mesh& target = sharp.mesh;
     std::map<Vertex, Vec> moves;
     std::unordered_set<Vertex> inner;
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
       if (!job.rolled) continue;
-      std::vector<Vertex> curve;
-      for (const Halfedge h : job.halfedges)
-        if (const Vertex v = standing(body_.mesh->source(h)); curve.empty() || curve.back() != v) curve.push_back(v);
-      while (curve.size() > 1 && curve.front() == curve.back()) curve.pop_back();
+      const std::vector<Vertex> curve = sharp.curve(*body_.mesh, job.halfedges);
       between.insert(curve.begin(), curve.end());
       const Region_mapping region = map_region(target, curve, between, *job.surface, job.positions, job.attempt);
       job.report.coarseness = region.coarseness / job.report.radius;
@@ -476,6 +510,8 @@ class Engine {
 
   const Fillet_body& body_;
   const Fillet_options& options_;
+  bool thorough_;
+  std::size_t levels_;
   std::unordered_set<Edge> creases_;
   std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;

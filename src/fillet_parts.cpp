@@ -43,6 +43,7 @@ struct Ancestry {
 
 void add(Stage_times& times, const Stage_times& more) {
   times.boolean += more.boolean;
+  times.coarsen += more.coarsen;
   times.blend += more.blend;
   times.copy += more.copy;
   times.validate += more.validate;

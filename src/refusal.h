@@ -16,6 +16,13 @@ inline Diagnosis refusal(Status status, const Vec& at) {
   return diagnosis;
 }
 
+/// A result that failed its check, in terms of mapping: vertices moved, so faces are in each other's way.
+inline Diagnosis refusal_of_result(Diagnosis diagnosis) {
+  diagnosis.status = Status::region_too_coarse;
+  diagnosis.detail.clear();
+  return diagnosis;
+}
+
 }  // namespace cgal_blend
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "offset_intersection.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -183,15 +183,26 @@ std::vector<Ball_guess> guess_beyond_round(const Ball_solver& solver, const Blen
     const double s = spacing * static_cast<double>(i);
     const std::size_t edge = arc.segment(s);
     Ball_guess guess;
-    guess.point = arc(s);
+    const Vec at = arc(s);
     guess.direction = (arc.mean(s + spacing, window) - arc.mean(s - spacing, window)).normalized();
     for (int side = 0; side < 2; ++side) {
-      const Surface_point from = foot_beside(solver, curve, edge, side, guess.point);
+      const Surface_point from = foot_beside(solver, curve, edge, side, at);
       const Vec left = solver.surface(side).frame(from.face).face_normal.cross(guess.direction);
       guess.foot[side] = solver.surface(side)
                              .walk(from, (side == 0 ? 1 : -1) * beyond_round * solver.radius() * left.normalized())
                              .end;
     }
+    // The centre, for planes at the feet.
+    Eigen::Matrix3d normals;
+    Vec heights;
+    for (int side = 0; side < 2; ++side) {
+      const Vec normal = solver.surface(side).normal(guess.foot[side]);
+      normals.row(side) = normal;
+      heights[side] = normal.dot(solver.surface(side).position(guess.foot[side])) + solver.distance();
+    }
+    normals.row(2) = guess.direction;
+    heights[2] = guess.direction.dot(at);
+    guess.point = normals.colPivHouseholderQr().solve(heights);
     guesses.push_back(guess);
   }
   return guesses;

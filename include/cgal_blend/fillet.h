@@ -27,6 +27,8 @@ struct Fillet_options {
   double radius = 0;  ///< ball radius, length units, > 0
   Profile profile;    ///< cross-section; the arc of the ball if not set
   Blend_mode mode = Blend_mode::stitch;
+  /// Map mode: blend the mesh decimated to about so many faces, then restore the detail of the fine one; 0: off.
+  std::size_t coarse_faces = 0;
   double chord_tolerance =
       2e-3;                 ///< largest distance between arc and facets as a fraction of the radius, in [1e-6, 0.3]
   std::size_t samples = 0;  ///< about so many ball positions spread by arc length; 0: as many as the tolerance asks for
@@ -59,8 +61,9 @@ struct Blend_report {
 /// Wall-clock times of the stages, milliseconds.
 struct Stage_times {
   double boolean = 0;
-  double blend = 0;  ///< all that blending takes, but for copying the mesh
-  double copy = 0;   ///< copying the whole mesh and putting it in order: linear in its size, whatever is blended
+  double coarsen = 0;  ///< making the coarse level that is blended instead of the mesh, and checking it
+  double blend = 0;    ///< all that blending takes, but for copying the mesh
+  double copy = 0;     ///< copying the whole mesh and putting it in order: linear in its size, whatever is blended
   double validate = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
 
+#include "failure.h"
+
 #include "values.h"
 
 namespace cgal_blend::cli {
@@ -8,7 +10,10 @@ namespace cgal_blend::cli {
 Fillet_options Ball_options::checked_but_radius() const {
   Fillet_options options = fillet;
   options.profile = parse_profile(profile, "--profile");
-  options.mode = parse_mode(mode);
+  options.coarse_faces = static_cast<std::size_t>(coarse);
+  if (coarse > 0 && mode == "stitch")
+    throw usage_failure("--coarse keeps the connectivity; it cannot be had with --mode stitch");
+  options.mode = coarse > 0 ? Blend_mode::map : parse_mode(mode.empty() ? "stitch" : mode);
   options.samples = static_cast<std::size_t>(samples);
   return options;
 }
@@ -65,11 +70,13 @@ void add_ball_options(CLI::App& command, Ball_options& options, const std::strin
       ->capture_default_str()
       ->type_name("NAME");
   command
-      .add_option(
-          "--mode", options.mode,
-          "How the blend is joined to the mesh: stitch (cut and sewn in) or map (connectivity kept, vertices moved)")
-      ->capture_default_str()
+      .add_option("--mode", options.mode,
+                  "How the blend is joined to the mesh: stitch (cut and sewn in) or map (connectivity kept, vertices "
+                  "moved) [stitch]")
       ->type_name("NAME");
+  add_number(command, "--coarse", options.coarse, 0, 1e9, false,
+             "Blend the mesh decimated to about so many faces and restore the detail; implies --mode map; 0: off [0]")
+      ->type_name("N");
   add_number(command, "--chord-tolerance", options.fillet.chord_tolerance, 1e-6, 0.3, false,
              "Largest distance between arc and facets, as a fraction of the radius [0.002]")
       ->type_name("F");

@@ -28,8 +28,9 @@ struct Output_options {
 struct Ball_options {
   std::optional<std::string> radius;
   std::string profile = "arc";
-  std::string mode = "stitch";
+  std::string mode;  ///< empty: stitch
   double samples = 0;
+  double coarse = 0;
   Fillet_options fillet;
 
   /// Returns the options of the engine, radius 0 if none is given; throws `Failure` for what cannot be accepted.

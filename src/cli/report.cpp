@@ -46,7 +46,7 @@ Json Report::json() const {
   json["output"] = output;
   if (!curvature.is_null()) json["curvature"] = curvature;
   json["blends"] = blends;
-  json["timings_ms"] = {{"read", read},        {"check_input", check_input}, {"boolean", stages.boolean},
+  json["timings_ms"] = {{"read", read},        {"check_input", check_input}, {"boolean", stages.boolean}, {"coarsen", stages.coarsen},
                         {"copy", stages.copy}, {"blend", stages.blend},      {"validate", stages.validate},
                         {"write", write}};
   return json;
