@@ -30,8 +30,11 @@ Vec Base_surface::raw_normal(Face face) const {
 }
 
 bool Base_surface::steep(Edge e) const {
-  const Halfedge h = mesh_.halfedge(e);
-  return raw_normal(mesh_.face(h)).dot(raw_normal(mesh_.face(mesh_.opposite(h)))) < cos_smooth_;
+  const Halfedge h = mesh_.halfedge(e), o = mesh_.opposite(h);
+  const Vec a = to_vec(mesh_.point(mesh_.source(h))), b = to_vec(mesh_.point(mesh_.target(h)));
+  const Vec left = (b - a).cross(to_vec(mesh_.point(mesh_.target(mesh_.next(h)))) - a);
+  const Vec right = (a - b).cross(to_vec(mesh_.point(mesh_.target(mesh_.next(o)))) - b);
+  return left.dot(right) < cos_smooth_ * std::sqrt(left.squaredNorm() * right.squaredNorm());
 }
 
 bool Base_surface::sharp(Edge e) const {
@@ -77,8 +80,10 @@ std::vector<Halfedge> Base_surface::fan_corners(Halfedge h) const {
 
 Halfedge Base_surface::fan(Halfedge h) const {
   const auto found = fans_.find(h.idx());
-  if (found != fans_.end()) return found->second;
-  const std::vector<Halfedge> corners = fan_corners(h);
+  return found != fans_.end() ? found->second : name_fan(fan_corners(h));
+}
+
+Halfedge Base_surface::name_fan(const std::vector<Halfedge>& corners) const {
   const Halfedge id = *std::min_element(corners.begin(), corners.end());
   for (const Halfedge g : corners) fans_[g.idx()] = id;
   return id;
@@ -104,11 +109,15 @@ Vec Base_surface::smoothed_normal(const std::vector<Halfedge>& corners, Halfedge
 }
 
 Vec Base_surface::corner_normal(Halfedge h, int pass) const {
-  const Halfedge id = fan(h);
+  const auto known = fans_.find(h.idx());
+  std::vector<Halfedge> corners;
+  if (known == fans_.end()) corners = fan_corners(h);
+  const Halfedge id = known != fans_.end() ? known->second : name_fan(corners);
   const std::uint64_t key = (static_cast<std::uint64_t>(pass) << 32) | id.idx();
   const auto found = normals_.find(key);
   if (found != normals_.end()) return found->second;
-  const Vec n = smoothed_normal(fan_corners(id), id, pass);
+  if (corners.empty()) corners = fan_corners(h);
+  const Vec n = smoothed_normal(corners, id, pass);
   normals_.emplace(key, n);
   return n;
 }

@@ -90,6 +90,7 @@ class Base_surface {
   [[nodiscard]] bool on_long_crease(Edge e) const;
   [[nodiscard]] Vec corner_normal(Halfedge h, int pass) const;
   [[nodiscard]] Vec smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const;
+  Halfedge name_fan(const std::vector<Halfedge>& corners) const;
   [[nodiscard]] std::vector<Halfedge> fan_corners(Halfedge h) const;
   [[nodiscard]] Vec raw_normal(Face face) const;
 

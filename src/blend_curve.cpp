@@ -37,9 +37,12 @@ Curve_locator::Curve_locator(const std::vector<Vec>& closed_polyline) : tree_(st
 Curve_locator::~Curve_locator() = default;
 Curve_locator::Curve_locator(Curve_locator&&) noexcept = default;
 
-Curve_locator::Nearest Curve_locator::nearest(const Vec& p) const {
+Curve_locator::Nearest Curve_locator::nearest(const Vec& p) const { return nearest(p, 0); }
+
+Curve_locator::Nearest Curve_locator::nearest(const Vec& p, std::size_t hint) const {
   const Point_3 query = to_point(p);
-  const auto [point, primitive] = tree_->tree.closest_point_and_primitive(query);
+  const auto guess = tree_->segments.cbegin() + static_cast<std::ptrdiff_t>(hint);
+  const auto [point, primitive] = tree_->tree.closest_point_and_primitive(query, {guess->source(), guess});
   const auto segment = static_cast<std::size_t>(primitive - tree_->segments.cbegin());
   const double along = std::sqrt(CGAL::squared_distance(primitive->source(), point));
   return {segment, tree_->start[segment] + along, CGAL::squared_distance(query, point)};

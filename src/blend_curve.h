@@ -35,6 +35,9 @@ class Curve_locator {
   Curve_locator(Curve_locator&&) noexcept;
 
   [[nodiscard]] Nearest nearest(const Vec& p) const;
+
+  /// The same, faster where `hint` is a segment that is near.
+  [[nodiscard]] Nearest nearest(const Vec& p, std::size_t hint) const;
   [[nodiscard]] double length() const;
 
  private:

@@ -10,6 +10,7 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace cgal_blend {
@@ -38,8 +39,28 @@ class Given_border {
   const std::vector<Point_2>* places_;
 };
 
-using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
-using Solver = CGAL::Eigen_solver_traits<Eigen::SparseLU<Matrix>>;
+/// CGAL's sparse linear algebra concept, with one factorization for the right sides that a parameterizer solves for.
+class Solver {
+ public:
+  using NT = double;
+  using Matrix = CGAL::Eigen_sparse_matrix<double>;
+  using Vector = CGAL::Eigen_vector<double>;
+
+  bool linear_solver(const Matrix& a, const Vector& b, Vector& x, NT& d) {
+    d = 1;
+    if (!lu_) {
+      lu_ = std::make_shared<Eigen::SparseLU<Matrix::EigenType>>();
+      lu_->compute(a.eigen_object());
+    }
+    if (lu_->info() != Eigen::Success) return false;
+    x = lu_->solve(b.eigen_object());
+    return lu_->info() == Eigen::Success;
+  }
+
+ private:
+  std::shared_ptr<Eigen::SparseLU<Matrix::EigenType>> lu_;  // a parameterizer solves for one matrix
+};
+
 using Conformal = SMP::Discrete_conformal_map_parameterizer_3<Blend_mesh, Given_border, Solver>;
 using Mean_value = SMP::Mean_value_coordinates_parameterizer_3<Blend_mesh, Given_border, Solver>;
 using Uniform = SMP::Barycentric_mapping_parameterizer_3<Blend_mesh, Given_border, Solver>;

@@ -43,19 +43,24 @@ std::vector<Face> collect_patch(const Base_surface& surface, const Blend_curve& 
                                 const std::vector<double>& reach, const Curve_locator& locator, double radius) {
   const Blend_mesh& mesh = surface.mesh();
   std::vector<Face> patch;
+  std::vector<std::size_t> beside;  // per face of the patch: a segment of the curve that is near
   std::unordered_set<Face> seen;
-  for (const auto& beside : curve.faces)
-    if (seen.insert(beside[side]).second) patch.push_back(beside[side]);
+  for (std::size_t k = 0; k < curve.faces.size(); ++k)
+    if (seen.insert(curve.faces[k][side]).second) {
+      patch.push_back(curve.faces[k][side]);
+      beside.push_back(k);
+    }
   for (std::size_t i = 0; i < patch.size(); ++i) {
     for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(patch[i]))) {
       const Face other = mesh.face(mesh.opposite(h));
       if (other == Blend_mesh::null_face() || seen.count(other) || !surface.crossable(h)) continue;
       const Vec a = to_vec(mesh.point(mesh.source(h))), b = to_vec(mesh.point(mesh.target(h)));
-      const Curve_locator::Nearest near = locator.nearest((a + b) / 2);
+      const Curve_locator::Nearest near = locator.nearest((a + b) / 2, beside[i]);
       const double allowed = radius * std::min(patch_limit, patch_stretch * reach[near.segment] + patch_margin);
       if (std::sqrt(near.squared_distance) - (a - b).norm() / 2 > allowed) continue;
       seen.insert(other);
       patch.push_back(other);
+      beside.push_back(near.segment);
     }
   }
   return patch;
@@ -100,8 +105,11 @@ std::size_t guess_count(double length, double step) {
 int turns_along(const std::vector<Vec>& points, const Curve_locator& locator) {
   const double length = locator.length();
   double total = 0, last = 0;
+  std::size_t hint = 0;
   for (std::size_t i = 0; i <= points.size(); ++i) {
-    const double s = locator.nearest(points[i % points.size()]).arc_length;
+    const Curve_locator::Nearest near = locator.nearest(points[i % points.size()], hint);
+    const double s = near.arc_length;
+    hint = near.segment;
     if (i > 0) total += std::remainder(s - last, length);
     last = s;
   }

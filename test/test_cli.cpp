@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 namespace {
 
 using namespace cgal_blend;
@@ -26,6 +29,13 @@ class Cli : public Cli_runner {
   }
 
   double volume(const std::string& file) { return volume_of(read_mesh(path(file))); }
+
+  /// Vertex indices of the top rim of the cylinder, once around.
+  static std::string rim_of_cylinder() {
+    std::string indices;
+    for (int i = 0; i <= 64; ++i) indices += (i > 0 ? ", " : "") + std::to_string(64 + i % 64);
+    return indices;
+  }
 
   void expect_valid(const std::string& file) {
     EXPECT_EQ(run("check " + file + " --quiet").exit, 0) << file;
@@ -110,6 +120,71 @@ TEST_F(Cli, PlacesTheSecondBody) {
   EXPECT_NEAR(union_volume("1 0 0 1  0 1 0 1  0 0 1 1"), 15, 1e-12);
   EXPECT_NEAR(union_volume("0.5 0 0 -.5  0 0.5 0 0.25  0 0 0.5 0.25"), 8.5, 1e-12);
   EXPECT_NEAR(union_volume("-1 0 0 3  0 1 0 1  0 0 1 1"), 15, 1e-12) << "a mirrored solid is a solid";
+}
+
+TEST_F(Cli, ProfilesByName) {
+  // Volume between the chord and the corner, the fuller the profile the less: only conics are ordered by weight.
+  std::map<std::string, double> added;
+  const double sharp = [&] {
+    EXPECT_EQ(run("union plate.off boss.off -o out.off").exit, 0);
+    return volume("out.off");
+  }();
+  for (const std::string profile : {"chamfer", "conic:0.3", "arc", "g2", "hermite", "hermite:1,2", "conic:2", "conic:inf",
+                                    "sharp", "bspline:0,0;0.8,0;1,0.2;1,1"}) {
+    const Run r = run("union plate.off boss.off --radius 5 --profile '" + profile + "' -o out.off");
+    ASSERT_EQ(r.exit, 0) << profile << r.err;
+    expect_valid("out.off");
+    added[profile] = volume("out.off") - sharp;
+  }
+  EXPECT_GT(added["chamfer"], added["conic:0.3"]);
+  EXPECT_GT(added["conic:0.3"], added["arc"]);
+  EXPECT_GT(added["arc"], added["conic:2"]);
+  EXPECT_GT(added["conic:2"], added["sharp"]);
+  EXPECT_EQ(added["conic:inf"], added["sharp"]);
+  EXPECT_NEAR(added["sharp"], 0, 0.01 * added["arc"]);
+  write("two.json", R"({"blends": [{"polyline": [)" + rim_of_cylinder() + R"(], "radius": 2, "profile": "chamfer"}]})");
+  ASSERT_EQ(run("fillet cylinder.off --blends two.json -o out.off").exit, 0);
+  // A chamfer of the contacts of a ball of radius 2 takes off a ring with a right-angled triangle as its section.
+  const double ring = 2 * pi * (10 - 2.0 / 3) * 2;
+  EXPECT_NEAR(volume("cylinder.off") - volume("out.off"), ring, 0.01 * ring);
+}
+
+TEST_F(Cli, MapModeKeepsTheFacesOfTheSharpResult) {
+  write_mesh(path("ground.off"), grid_box({-30, -30, -20}, {30, 30, 0}, 40));
+  write_mesh(path("post.off"), cylinder(10, 96, -5.3, 20, 30));
+  ASSERT_EQ(run("union ground.off post.off -o sharp.off").exit, 0);
+  const Run r = run("union ground.off post.off --radius 4 --mode map -o out.off --report r.json");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  expect_valid("out.off");
+  const Blend_mesh sharp = read_mesh(path("sharp.off")), out = read_mesh(path("out.off"));
+  ASSERT_EQ(sharp.number_of_faces(), out.number_of_faces());
+  auto g = sharp.faces().begin();
+  for (const Face f : out.faces()) ASSERT_EQ(corners_of(out, f), corners_of(sharp, *g++));
+  EXPECT_GT(volume("out.off"), volume("sharp.off"));
+  const Json blend = json("r.json")["blends"][0];
+  EXPECT_GT(blend["coarseness"].get<double>(), 0);
+  EXPECT_LT(blend["coarseness"].get<double>(), 0.2);
+  EXPECT_EQ(blend["loops"], 0);
+}
+
+TEST_F(Cli, CoarseLevel) {
+  write_mesh(path("large.off"), sphere(30, 5));
+  write_mesh(path("small.off"), sphere(22, 5, {28, 0.3, 0.2}));
+  const Run r = run("union large.off small.off --radius 6 --coarse 3000 -o out.off --report r.json");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  expect_valid("out.off");
+  EXPECT_GT(json("r.json")["timings_ms"]["coarsen"].get<double>(), 0);
+  EXPECT_LT(json("r.json")["blends"][0]["edges"].get<int>(), 300) << "the curve of the coarse level";
+}
+
+TEST_F(Cli, SamplesAlongTheCurve) {
+  const auto faces = [&](const std::string& sampling) {
+    const Run r = run("union plate.off boss.off --radius 5 -o out.off --report r.json " + sampling);
+    EXPECT_EQ(r.exit, 0) << r.err;
+    return json("r.json")["output"]["blend_faces"].get<int>();
+  };
+  EXPECT_GT(faces("--samples 120"), 1.5 * faces("--samples 40"));
+  EXPECT_GT(faces("--samples 40 --chord-ratio 0.005"), faces("--samples 40"));
 }
 
 TEST_F(Cli, SeveralBodiesEachWithItsRadius) {
