@@ -10,7 +10,6 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int longest_walk = 4096;  // faces; a walk is a Newton step, a few ball radii long
 
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }

@@ -14,6 +14,8 @@
 
 namespace cgal_blend {
 
+inline constexpr double pi = 3.14159265358979323846;
+
 using Vec = Eigen::Vector3d;
 
 inline Vec to_vec(const Point_3& p) { return {p.x(), p.y(), p.z()}; }

@@ -10,7 +10,6 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 
 /// Vertices of a rim from one ball position to the next, both included.
 std::vector<Vertex> rim_between(const Rim& rim, std::size_t i, std::size_t j) {

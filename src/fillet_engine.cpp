@@ -52,6 +52,9 @@ constexpr double worst_radius_error = 0.25;
 constexpr double worst_tangency = 60;
 constexpr double worst_mean_tangency = 15;
 
+// Nor one whose facets turn against each other by such angles, degrees, from one step of the ball to the next.
+constexpr double worst_twist = 60;
+
 // Positions that the rims cannot be led through may be left out, up to this share.
 constexpr double spare_positions = 0.2;
 
@@ -263,6 +266,8 @@ class Engine {
     const Diagnosis laid = lay_rims(job, index, surfaces, snap);
     if (laid.ok()) {
       job.surface.emplace(job.positions, surfaces, radius, job.profile);
+      if (const auto fold = job.surface->find_fold(worst_twist * pi / 180))
+        return refusal(path.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, *fold);
       if (!job.profile.is_arc()) job.report.tangency_deg = measure_tangency(*job.surface);
     }
     return laid;

@@ -225,8 +225,26 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
     }
     return joint;
   };
+  // Nearest points of the centres; of points on the chord between the outer contacts where those would run backward.
+  std::array<bool, 2> forward{};
+  for (int side = 0; side < 2; ++side) {
+    const Vec chord = to.contact[side] - from.contact[side];
+    std::vector<Vec> contacts{from.contact[side]};
+    for (std::size_t k = 1; k < joints; ++k)
+      contacts.push_back(surfaces[side]->position(finders[side].foot(centers[k])));
+    contacts.push_back(to.contact[side]);
+    forward[side] = true;
+    for (std::size_t k = 0; k < joints; ++k)
+      forward[side] = forward[side] && (contacts[k + 1] - contacts[k]).dot(chord) >= 0;
+  }
   std::vector<Ball_position> joint{from};
-  for (std::size_t k = 1; k < joints; ++k) joint.push_back(joint_at(centers[k], {centers[k], centers[k]}));
+  for (std::size_t k = 1; k < joints; ++k) {
+    const double s = static_cast<double>(k) / static_cast<double>(joints);
+    std::array<Vec, 2> near;
+    for (int side = 0; side < 2; ++side)
+      near[side] = forward[side] ? centers[k] : Vec((1 - s) * from.contact[side] + s * to.contact[side]);
+    joint.push_back(joint_at(centers[k], near));
+  }
   joint.push_back(to);
   for (std::size_t k = 0; k + 1 < joint.size(); ++k) {
     if (k > 0) kept.push_back(joint[k]);

@@ -12,7 +12,6 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double length_samples = 512;  // steps from contact to apex to contact, to spread parameters by length
 constexpr int least_sample = 4;         // halvings, though the profile comes back to where it was
 constexpr int deepest_sample = 40;
@@ -127,6 +126,29 @@ Vec Virtual_surface::operator()(double t, double u) const {
   const double step = start_[i + 1] - start_[i];
   const double s = step > 0 ? (t - start_[i]) / step : 0;
   return (1 - s) * on_profile(i, u) + s * on_profile((i + 1) % size(), u);
+}
+
+std::optional<Vec> Virtual_surface::find_fold(double angle) const {
+  constexpr std::size_t columns = 8;
+  const auto on = [&](std::size_t i, std::size_t k) {
+    return on_profile(i % size(), static_cast<double>(k) / static_cast<double>(columns));
+  };
+  std::vector<std::array<Vec, columns + 1>> points(size());
+  for (std::size_t i = 0; i < size(); ++i)
+    for (std::size_t k = 0; k <= columns; ++k) points[i][k] = on(i, k);
+  const auto normal = [&](std::size_t i, std::size_t k) -> Vec {
+    const auto &a = points[i % size()], &b = points[(i + 1) % size()];
+    return (b[k + 1] - a[k]).cross(b[k] - a[k + 1]);  // of a quadrilateral, by its diagonals
+  };
+  const auto step = [&](std::size_t i) -> Vec {
+    return sections_[(i + 1) % size()].centre - sections_[i % size()].centre;
+  };
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double turn = angle_between(step(i), step(i + 1));
+    for (std::size_t k = 0; k < columns; ++k)
+      if (angle_between(normal(i, k), normal(i + 1, k)) > angle + turn) return points[(i + 1) % size()][k];
+  }
+  return std::nullopt;
 }
 
 double Virtual_surface::profile_length(std::size_t i) const {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace cgal_blend {
@@ -41,6 +42,10 @@ class Virtual_surface {
   [[nodiscard]] const std::vector<double>& kinks() const { return kinks_; }
 
   [[nodiscard]] double profile_length(std::size_t i) const;
+
+  /// Where neighbouring profiles twist against each other: a point at which the surface's normal turns by more than
+  /// `angle` (radians) beyond the turn of the spine from one step to the next, if there is one.
+  [[nodiscard]] std::optional<Vec> find_fold(double angle) const;
 
   /// Angle between profile i's end tangent and the tangent plane of the base face there, degrees.
   [[nodiscard]] double end_angle(std::size_t i, int side) const;

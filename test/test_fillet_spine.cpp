@@ -91,8 +91,9 @@ TEST(FilletSpine, LoopsInTheWaistAreCutOffAndJoined) {
     EXPECT_EQ(foot.outcome.blends.at(0).loops, 2u) << radius;
     EXPECT_TRUE(validate(foot.mesh).ok()) << radius;
     EXPECT_TRUE(is_closed_by_counting(foot.mesh)) << radius;
-    EXPECT_LT(off_ball(foot, radius, radius), 0.005) << radius;  // away from the joints: the ball as ever
-    EXPECT_LT(off_ball(foot, radius, 0), 0.2) << radius;         // over them: near it
+    // Away from the joints, whose contacts on the wall reach farther out than they do: the ball as ever.
+    EXPECT_LT(off_ball(foot, radius, 1.5 * radius), 0.005) << radius;
+    EXPECT_LT(off_ball(foot, radius, 0), 0.2) << radius;  // over them: near it
   }
 }
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -63,7 +64,11 @@ int blended(double share, Blend_mode mode = Blend_mode::stitch) {
     Blend_mesh sharp;
     options.radius = 0;
     if (unchecked::corefine_and_fillet(placed.a, placed.b, Boolean_operation::union_, sharp, options).ok()) {
-      EXPECT_GT(volume_of(out), volume_of(sharp)) << name;  // concave blends add material
+      // Concave blends add material; vertices that are too few for a blend need not.
+      const auto is_coarse = [](const Blend_report& blend) { return blend.coarseness > 0.5; };
+      if (std::none_of(outcome.blends.begin(), outcome.blends.end(), is_coarse)) {
+        EXPECT_GT(volume_of(out), volume_of(sharp)) << name;
+      }
       if (mode == Blend_mode::map) {
         EXPECT_TRUE(same_connectivity(out, sharp)) << name;
       }
