@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
 
 namespace cgal_blend {
 
 namespace {
-
 
 /// Vertices of a rim from one ball position to the next, both included.
 std::vector<Vertex> rim_between(const Rim& rim, std::size_t i, std::size_t j) {
@@ -64,6 +65,26 @@ std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const Virtual_surface& 
     zip(mesh, {inner[i].back(), inner[j].back()}, rim_between(*rims[1], i, j), triangles);
   }
   return triangles;
+}
+
+std::optional<Vec> find_fold(const Blend_mesh& mesh, const std::vector<Triangle>& strip, double angle) {
+  const double least = std::cos(angle * pi / 180);
+  std::vector<Vec> normals;
+  std::unordered_map<std::uint64_t, std::size_t> triangle_of;  // by directed edge
+  triangle_of.reserve(3 * strip.size());
+  const auto key = [](Vertex a, Vertex b) { return (static_cast<std::uint64_t>(a.idx()) << 32) | b.idx(); };
+  for (std::size_t k = 0; k < strip.size(); ++k) {
+    const Vec a = to_vec(mesh.point(strip[k][0])), b = to_vec(mesh.point(strip[k][1]));
+    normals.push_back((b - a).cross(to_vec(mesh.point(strip[k][2])) - a).stableNormalized());
+    for (int i = 0; i < 3; ++i) triangle_of.emplace(key(strip[k][i], strip[k][(i + 1) % 3]), k);
+  }
+  for (std::size_t k = 0; k < strip.size(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      const auto other = triangle_of.find(key(strip[k][(i + 1) % 3], strip[k][i]));
+      if (other != triangle_of.end() && normals[k].dot(normals[other->second]) < least)
+        return to_vec(mesh.point(strip[k][i]));
+    }
+  return std::nullopt;
 }
 
 Strip_quality measure_rims(const std::vector<Ball_position>& positions, const std::array<const Rim*, 2>& rims,

@@ -8,6 +8,7 @@
 #include "virtual_surface.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace cgal_blend {
@@ -17,6 +18,10 @@ namespace cgal_blend {
 /// \param rims left and right rim of the curve, with their vertices
 [[nodiscard]] std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface,
                                                      const std::array<const Rim*, 2>& rims, double chord_tolerance);
+
+/// A vertex at which two neighbouring triangles of a strip turn against each other by more than `angle` degrees, if there
+/// is one: the strip is folded there.
+[[nodiscard]] std::optional<Vec> find_fold(const Blend_mesh& mesh, const std::vector<Triangle>& strip, double angle);
 
 /// How far the rims are off the ball, see `Blend_report`; joints over loops of the spine apart.
 struct Strip_quality {

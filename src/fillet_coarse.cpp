@@ -3,6 +3,7 @@
 
 #include "coarse_level.h"
 #include "fillet_engine.h"
+#include "mesh_checks.h"
 #include "refusal.h"
 #include "sharp_mesh.h"
 #include "stitching.h"
@@ -11,7 +12,6 @@
 #include <cgal_blend/curve_network.h>
 #include <cgal_blend/validate.h>
 
-#include <array>
 #include <set>
 #include <utility>
 #include <vector>
@@ -75,40 +75,63 @@ Curves collect_curves(const Fillet_body& body, const Sharp_mesh& sharp, const Co
 }
 
 // Slivers that a boolean leaves along its curve are thinner than the coarse curve is exact; they may fold when the
-// detail is restored. Then the rings of faces around the curve are smoothed, so many steps at a time.
-constexpr std::array<int, 5> smoothings{0, 4, 8, 16, 32};
-constexpr int smoothed_rings = 3;
-constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
+// detail is restored. Then the corners of faces that cross are smoothed, in ever wider rings.
+constexpr int untangle_rounds = 24;
+constexpr int rounds_per_ring = 6;
+constexpr int smoothing_steps = 2;
 
-/// Taubin steps on the moved vertices near the curves.
-void smooth_around(const std::vector<std::vector<Edge>>& curves, const Compact& fine, int steps,
-                   const std::vector<Vertex>& moved, Blend_mesh& mesh) {
-  const std::set<Vertex> movable(moved.begin(), moved.end());
-  std::set<Vertex> near;
-  for (const auto& curve : curves)
-    for (const Edge e : curve)
-      if (const Vertex v = fine.body_of[fine.mesh.source(fine.mesh.halfedge(e)).idx()]; movable.count(v))
-        near.insert(v);
-  for (int ring = 0; ring < smoothed_rings; ++ring)
-    for (const Vertex v : std::vector<Vertex>(near.begin(), near.end()))
-      for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v)))
-        if (movable.count(w)) near.insert(w);
-  for (int step = 0; step < steps; ++step)
-    for (const double factor : {taubin_lambda, taubin_mu}) {
-      std::vector<Point_3> next;
-      for (const Vertex v : near) {
-        Vec sum = Vec::Zero();
-        int count = 0;
-        for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v))) {
-          sum += to_vec(mesh.point(w));
-          ++count;
-        }
-        const Vec at = to_vec(mesh.point(v));
-        next.push_back(to_point(at + factor * (sum / count - at)));
+/// Laplacian steps on some vertices.
+void smooth(const std::set<Vertex>& vertices, Blend_mesh& mesh) {
+  for (int step = 0; step < smoothing_steps; ++step) {
+    std::vector<Point_3> next;
+    for (const Vertex v : vertices) {
+      Vec sum = to_vec(mesh.point(v));
+      int count = 1;
+      for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v))) {
+        sum += to_vec(mesh.point(w));
+        ++count;
       }
-      std::size_t i = 0;
-      for (const Vertex v : near) mesh.point(v) = next[i++];
+      next.push_back(to_point(sum / count));
     }
+    std::size_t i = 0;
+    for (const Vertex v : vertices) mesh.point(v) = next[i++];
+  }
+}
+
+/// Moves vertices among `movable` until no two faces of theirs cross, or for some rounds.
+/// \return milliseconds spent on looking for faces that cross
+double untangle(const std::vector<Vertex>& movable, Blend_mesh& mesh) {
+  const std::set<Vertex> may_move(movable.begin(), movable.end());
+  std::set<Face> changed;
+  for (const Vertex v : movable)
+    for (const Face f : mesh.faces_around_target(mesh.halfedge(v))) changed.insert(f);
+  internal::Face_table table;
+  for (const Face f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    table.faces.push_back(f);
+    table.triangles.push_back({mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+  }
+  double checking = 0;
+  for (int round = 0; round < untangle_rounds; ++round) {
+    std::set<Vertex> bad;
+    const Stopwatch watch;
+    const auto pairs = internal::intersecting_pairs(mesh, table, {changed.begin(), changed.end()});
+    checking += watch.milliseconds();
+    for (const auto& [f, g] : pairs)
+      for (const Face face : {f, g})
+        for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
+          if (may_move.count(v)) bad.insert(v);
+    if (bad.empty()) break;
+    for (int ring = 0; ring < round / rounds_per_ring; ++ring)
+      for (const Vertex v : std::vector<Vertex>(bad.begin(), bad.end()))
+        for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v)))
+          if (may_move.count(w)) bad.insert(w);
+    smooth(bad, mesh);
+    changed.clear();  // all others are in order
+    for (const Vertex v : bad)
+      for (const Face f : mesh.faces_around_target(mesh.halfedge(v))) changed.insert(f);
+  }
+  return checking;
 }
 
 Fillet_outcome refused(Diagnosis diagnosis, const Stage_times& times) {
@@ -152,24 +175,24 @@ Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_ble
     outcome.times = times;
     return outcome;
   }
-  Stopwatch restoring;
-  Body_changes changes;
+  const Stopwatch restoring;
+  Blend_mesh restored = fine.mesh;
+  std::vector<Vertex> moved;
   for (const auto& [v, to] : level.restore(blended)) {
-    const Vertex moved = fine.body_of[v.idx()];
-    sharp.mesh.point(moved) = to;
-    changes.moved.push_back(moved);
+    restored.point(v) = to;
+    moved.push_back(v);
   }
-  times.blend += restoring.milliseconds();
-  Fillet_outcome whole;
-  for (std::size_t k = 0; k < smoothings.size(); ++k) {
-    const Stopwatch smoothing;
-    if (smoothings[k] > 0) smooth_around(curves.edges, fine, smoothings[k], changes.moved, sharp.mesh);
-    times.blend += smoothing.milliseconds();
-    whole = finish_body(body, sharp.mesh, changes, out);
-    times.copy += whole.times.copy;
-    times.validate += whole.times.validate;
-    if (whole.ok()) break;
+  const double checking = untangle(moved, restored);
+  Body_changes changes;
+  for (const Vertex v : moved) {
+    changes.moved.push_back(fine.body_of[v.idx()]);
+    sharp.mesh.point(changes.moved.back()) = restored.point(v);
   }
+  times.blend += restoring.milliseconds() - checking;
+  times.validate += checking;
+  Fillet_outcome whole = finish_body(body, sharp.mesh, changes, out);
+  times.copy += whole.times.copy;
+  times.validate += whole.times.validate;
   whole.blends = std::move(outcome.blends);
   whole.blend_faces = whole.changed_faces;
   whole.times = times;

@@ -55,6 +55,9 @@ constexpr double worst_mean_tangency = 15;
 // Nor one whose facets turn against each other by such angles, degrees, from one step of the ball to the next.
 constexpr double worst_twist = 60;
 
+// Nor one whose strip is folded, with its rims: angle between neighbouring facets, degrees.
+constexpr double worst_fold = 100;
+
 // Positions that the rims cannot be led through may be left out, up to this share.
 constexpr double spare_positions = 0.2;
 
@@ -266,8 +269,8 @@ class Engine {
     const Diagnosis laid = lay_rims(job, index, surfaces, snap);
     if (laid.ok()) {
       job.surface.emplace(job.positions, surfaces, radius, job.profile);
-      if (const auto fold = job.surface->find_fold(worst_twist * pi / 180))
-        return refusal(path.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, *fold);
+      if (const auto twist = job.surface->find_twist(worst_twist * pi / 180))
+        return refusal(path.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, *twist);
       if (!job.profile.is_arc()) job.report.tangency_deg = measure_tangency(*job.surface);
     }
     return laid;
@@ -411,6 +414,13 @@ class Engine {
       const Job& job = jobs_[rims[k].blend];
       const std::vector<Triangle> strip =
           tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
+      const auto fold = job.profile.kinks().empty() ? find_fold(work, strip, worst_fold) : std::nullopt;
+      if (fold) {
+        result.diagnosis =
+            refusal(job.report.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, *fold);
+        result.blame = rims[k].blend;
+        return;
+      }
       triangles.insert(triangles.end(), strip.begin(), strip.end());
     }
     const Replacement replacement = replace_faces(work, trimming.removed, triangles);

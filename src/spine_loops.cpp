@@ -108,6 +108,13 @@ bool is_inverted_between(const Base_surface& surface, const Ball_position& a, co
   return false;
 }
 
+/// Unit tangent in c of the parabola through three points.
+Vec end_tangent(const Vec& a, const Vec& b, const Vec& c) {
+  const double ab = (b - a).norm(), bc = (c - b).norm();
+  const Vec last = (c - b) / bc;
+  return (last + bc / (ab + bc) * (last - (b - a) / ab)).stableNormalized();
+}
+
 /// Smooths the inner points of an open polyline, without shrinking it.
 void taubin(std::vector<Vec>& points) {
   for (int step = 0; step < taubin_steps; ++step)
@@ -198,8 +205,8 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
   if (kept.size() < fewest_joints) return std::nullopt;
 
   const Ball_position &from = kept.back(), &to = kept.front();
-  const Vec leave = (from.center - kept[kept.size() - 2].center).stableNormalized();
-  const Vec arrive = (kept[1].center - to.center).stableNormalized();
+  const Vec leave = end_tangent(kept[kept.size() - 3].center, kept[kept.size() - 2].center, from.center);
+  const Vec arrive = -end_tangent(kept[2].center, kept[1].center, to.center);
   const double span = (to.center - from.center).norm();
   const auto joints = std::max(fewest_joints, static_cast<std::size_t>(std::ceil(span / step)));
   std::vector<Vec> centers;

@@ -128,7 +128,7 @@ Vec Virtual_surface::operator()(double t, double u) const {
   return (1 - s) * on_profile(i, u) + s * on_profile((i + 1) % size(), u);
 }
 
-std::optional<Vec> Virtual_surface::find_fold(double angle) const {
+std::optional<Vec> Virtual_surface::find_twist(double angle) const {
   constexpr std::size_t columns = 8;
   const auto on = [&](std::size_t i, std::size_t k) {
     return on_profile(i % size(), static_cast<double>(k) / static_cast<double>(columns));

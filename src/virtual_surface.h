@@ -45,7 +45,7 @@ class Virtual_surface {
 
   /// Where neighbouring profiles twist against each other: a point at which the surface's normal turns by more than
   /// `angle` (radians) beyond the turn of the spine from one step to the next, if there is one.
-  [[nodiscard]] std::optional<Vec> find_fold(double angle) const;
+  [[nodiscard]] std::optional<Vec> find_twist(double angle) const;
 
   /// Angle between profile i's end tangent and the tangent plane of the base face there, degrees.
   [[nodiscard]] double end_angle(std::size_t i, int side) const;
