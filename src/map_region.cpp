@@ -22,7 +22,7 @@ namespace {
 
 constexpr double hop_cost = 1e-3;      // of the longest profile, per edge of the cut
 constexpr double border_slack = 0.08;  // share of even spacing in the border's parameters: keeps them apart
-constexpr int relaxations = 12;        // Laplacian sweeps in the plane
+constexpr int relaxations = 8;         // Laplacian sweeps in the plane
 constexpr double border_reach = 0.4;   // of the shortest edge: border vertices nearer to the linkage curve move onto it
 constexpr int border_steps = 3;        // Taubin steps along the linkage curve
 constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
@@ -302,7 +302,8 @@ class Mapper {
   /// Parameter of the nearest point of a polyline through one point of each ball position.
   template <class Member>
   [[nodiscard]] double parameter_on(const Curve_locator& polyline, const Member& point, const Vec& p) const {
-    const std::size_t i = polyline.nearest(p).segment, j = (i + 1) % positions_.size();
+    const std::size_t i = polyline.nearest(p, hint_).segment, j = (i + 1) % positions_.size();
+    hint_ = i;  // borders are asked for in order
     const Vec a = point(positions_[i]), chord = point(positions_[j]) - a;
     const double size = chord.squaredNorm();
     const double s = size > 0 ? std::clamp((p - a).dot(chord) / size, 0.0, 1.0) : 0;
@@ -540,9 +541,7 @@ class Mapper {
     for (int side = 0; side < 2; ++side) {
       const std::vector<Halfedge>& loop = borders_[side];
       std::vector<std::optional<double>> t;  // per border vertex that moves
-      for (const Halfedge h : loop)
-        t.push_back(is_drawn(h, side) ? std::optional(parameter_at(side, to_vec(mesh_.point(mesh_.target(h)))))
-                                      : std::nullopt);
+      for (const Halfedge h : loop) t.push_back(drawn_to(h, side));
       for (int step = 0; step < border_steps; ++step)
         for (const double factor : {taubin_lambda, taubin_mu}) smooth(t, factor);
       for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -564,21 +563,23 @@ class Mapper {
     }
   }
 
-  /// Near enough, and inside a smooth part of the surface that the linkage curve runs over.
-  [[nodiscard]] bool is_drawn(Halfedge border, int side) const {
+  /// Parameter of the linkage curve that a border vertex moves to, if it is near enough and inside a smooth part of the
+  /// surface that the curve runs over.
+  [[nodiscard]] std::optional<double> drawn_to(Halfedge border, int side) const {
     const Vertex v = mesh_.target(border);
     const Vec at = to_vec(mesh_.point(v));
     double shortest = -1;
     for (const Halfedge h : mesh_.halfedges_around_target(border))
       if (shortest < 0 || length(h) < shortest) shortest = length(h);
-    if ((surface_(parameter_at(side, at), side) - at).norm() > border_reach * shortest) return false;
+    const double t = parameter_at(side, at);
+    if ((surface_(t, side) - at).norm() > border_reach * shortest) return std::nullopt;
     Vec normal = Vec::Zero();
     for (const Face f : mesh_.faces_around_target(border)) normal += face_normal(f);
     for (const Face f : mesh_.faces_around_target(border))
-      if (face_normal(f).dot(normal.normalized()) < least_upright) return false;
+      if (face_normal(f).dot(normal.normalized()) < least_upright) return std::nullopt;
     int borders = 0;  // a vertex that the border touches twice has two places to go to
     for (const Halfedge h : mesh_.halfedges_around_target(border)) borders += on_border(h) ? 1 : 0;
-    return borders == 1;
+    return borders == 1 ? std::optional(t) : std::nullopt;
   }
 
   [[nodiscard]] Vec face_normal(Face f) const {
@@ -713,6 +714,7 @@ class Mapper {
   const std::vector<Ball_position>& positions_;
   std::array<Curve_locator, 2> linkage_;
   Curve_locator spine_;
+  mutable std::size_t hint_ = 0;  // segment that was nearest last
   const Slant& slant_;
 
   std::vector<Vertex> inner_;                     // vertices between the linkage curves

@@ -131,9 +131,12 @@ std::vector<Ball_guess> guess_from_offsets(const Ball_solver& solver, const Blen
     if (!candidate.closed) continue;
     std::vector<Vec> points;
     double distance = 0;
+    std::size_t hint = 0;
     for (const Offset_node& node : candidate.nodes) {
+      const Curve_locator::Nearest near = locator.nearest(node.point, hint);
       points.push_back(node.point);
-      distance += std::sqrt(locator.nearest(node.point).squared_distance);
+      distance += std::sqrt(near.squared_distance);
+      hint = near.segment;
     }
     const int turns = turns_along(points, locator);
     if (std::abs(turns) != 1) continue;
