@@ -44,21 +44,26 @@ std::vector<std::pair<Vertex, Vertex>> collapse_short_edges(Blend_mesh& mesh, co
     return CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) < limit;
   };
   mesh.set_recycle_garbage(false);
-  std::vector<Edge> edges;
   std::vector<std::pair<Vertex, Vertex>> merged;
-  for (const Edge e : mesh.edges())
-    if (is_short(e)) edges.push_back(e);
-  for (const Edge e : edges) {
-    if (mesh.is_removed(e) || !is_short(e) || !CGAL::Euler::does_satisfy_link_condition(e, mesh)) continue;
-    Halfedge h = mesh.halfedge(e);
-    if (keep(mesh.source(h)) && !keep(mesh.target(h))) h = mesh.opposite(h);
-    if (!faces_stay(h, mesh)) h = mesh.opposite(h);
-    if (!faces_stay(h, mesh)) continue;
-    const Point_3 place = mesh.point(mesh.target(h));
-    const std::array<Vertex, 2> ends{mesh.source(h), mesh.target(h)};
-    const Vertex left = CGAL::Euler::collapse_edge(mesh.edge(h), mesh);
-    mesh.point(left) = place;
-    merged.emplace_back(ends[left == ends[0] ? 1 : 0], left);
+  // Slivers between two short edges may stand in the way of one of them until the other is gone.
+  for (bool collapsed = true; collapsed;) {
+    collapsed = false;
+    std::vector<Edge> edges;
+    for (const Edge e : mesh.edges())
+      if (is_short(e)) edges.push_back(e);
+    for (const Edge e : edges) {
+      if (mesh.is_removed(e) || !is_short(e) || !CGAL::Euler::does_satisfy_link_condition(e, mesh)) continue;
+      Halfedge h = mesh.halfedge(e);
+      if (keep(mesh.source(h)) && !keep(mesh.target(h))) h = mesh.opposite(h);
+      if (!faces_stay(h, mesh)) h = mesh.opposite(h);
+      if (!faces_stay(h, mesh)) continue;
+      const Point_3 place = mesh.point(mesh.target(h));
+      const std::array<Vertex, 2> ends{mesh.source(h), mesh.target(h)};
+      const Vertex left = CGAL::Euler::collapse_edge(mesh.edge(h), mesh);
+      mesh.point(left) = place;
+      merged.emplace_back(ends[left == ends[0] ? 1 : 0], left);
+      collapsed = true;
+    }
   }
   return merged;
 }

@@ -525,5 +525,15 @@ TEST(Fillet, KeepGoingLeavesTheRestSharp) {
   EXPECT_NEAR(volume_of(out) - volume_of(all), foot_volume(R, 3), 0.02 * foot_volume(R, 3));
 }
 
+TEST(Fillet, SharpUnionOfAlignedGridAndCylinder) {
+  // Grid lines run through vertices of the cylinder within rounding: splinters between two edges of almost no length.
+  const Blend_mesh block = grid_box({-1, -1, -1}, {1, 1, 1}, 16), pin = cylinder(0.5, 64, -2, 2);
+  Blend_mesh out;
+  const Fillet_outcome outcome = corefine_and_fillet(block, pin, Boolean_operation::union_, out, options_of(0));
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  EXPECT_TRUE(validate(out).ok());
+  EXPECT_NEAR(volume_of(out), 8 + 2 * 32 * 0.25 * std::sin(2 * pi / 64), 1e-12);
+}
+
 }  // namespace
 }  // namespace cgal_blend::test
