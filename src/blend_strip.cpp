@@ -48,15 +48,16 @@ void zip(const Blend_mesh& mesh, const std::vector<Vertex>& low, const std::vect
 
 }  // namespace
 
-std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface,
-                                       const std::array<const Rim*, 2>& rims, double chord_tolerance) {
+Strip tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface, const std::array<const Rim*, 2>& rims,
+                       double chord_tolerance) {
   const std::size_t n = surface.size();
   const std::vector<double> rows = surface.rows(chord_tolerance);
   std::vector<std::vector<Vertex>> inner(n);  // per profile, what lies between its ends
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 1; k + 1 < rows.size(); ++k)
       inner[i].push_back(mesh.add_vertex(to_point(surface.on_profile(i, rows[k]))));
-  std::vector<Triangle> triangles;
+  Strip strip{{}, inner.front().front(), rows.size() - 2};
+  std::vector<Triangle>& triangles = strip.triangles;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = (i + 1) % n;
     zip(mesh, rim_between(*rims[0], i, j), {inner[i].front(), inner[j].front()}, triangles);
@@ -64,25 +65,30 @@ std::vector<Triangle> tessellate_strip(Blend_mesh& mesh, const Virtual_surface& 
       zip(mesh, {inner[i][k], inner[j][k]}, {inner[i][k + 1], inner[j][k + 1]}, triangles);
     zip(mesh, {inner[i].back(), inner[j].back()}, rim_between(*rims[1], i, j), triangles);
   }
-  return triangles;
+  return strip;
 }
 
-std::optional<Vec> find_fold(const Blend_mesh& mesh, const std::vector<Triangle>& strip, double angle) {
+std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double angle) {
   const double least = std::cos(angle * pi / 180);
+  const std::vector<Triangle>& triangles = strip.triangles;
+  const auto is_inner = [&](Vertex v) { return v >= strip.first_inner; };
+  const auto profile = [&](Vertex v) { return (v.idx() - strip.first_inner.idx()) / strip.inner_per_profile; };
+  const auto runs_across = [&](Vertex a, Vertex b) { return !is_inner(a) || !is_inner(b) || profile(a) == profile(b); };
+  const auto key = [](Vertex a, Vertex b) { return (static_cast<std::uint64_t>(a.idx()) << 32) | b.idx(); };
   std::vector<Vec> normals;
   std::unordered_map<std::uint64_t, std::size_t> triangle_of;  // by directed edge
-  triangle_of.reserve(3 * strip.size());
-  const auto key = [](Vertex a, Vertex b) { return (static_cast<std::uint64_t>(a.idx()) << 32) | b.idx(); };
-  for (std::size_t k = 0; k < strip.size(); ++k) {
-    const Vec a = to_vec(mesh.point(strip[k][0])), b = to_vec(mesh.point(strip[k][1]));
-    normals.push_back((b - a).cross(to_vec(mesh.point(strip[k][2])) - a).stableNormalized());
-    for (int i = 0; i < 3; ++i) triangle_of.emplace(key(strip[k][i], strip[k][(i + 1) % 3]), k);
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const Triangle& t = triangles[k];
+    const Vec a = to_vec(mesh.point(t[0])), b = to_vec(mesh.point(t[1]));
+    normals.push_back((b - a).cross(to_vec(mesh.point(t[2])) - a).stableNormalized());
+    for (int i = 0; i < 3; ++i)
+      if (runs_across(t[i], t[(i + 1) % 3])) triangle_of.emplace(key(t[i], t[(i + 1) % 3]), k);
   }
-  for (std::size_t k = 0; k < strip.size(); ++k)
+  for (std::size_t k = 0; k < triangles.size(); ++k)
     for (int i = 0; i < 3; ++i) {
-      const auto other = triangle_of.find(key(strip[k][(i + 1) % 3], strip[k][i]));
+      const auto other = triangle_of.find(key(triangles[k][(i + 1) % 3], triangles[k][i]));
       if (other != triangle_of.end() && normals[k].dot(normals[other->second]) < least)
-        return to_vec(mesh.point(strip[k][i]));
+        return to_vec(mesh.point(triangles[k][i]));
     }
   return std::nullopt;
 }

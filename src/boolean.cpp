@@ -111,7 +111,9 @@ bool flat(Edge e, const Blend_mesh& mesh, const Cell_map& cells, const std::arra
 
 /// Puts the result into an order that depends on the operands only: corefinement takes its own from addresses. Vertices
 /// of the operands come first, new ones by their place; faces go by the face that they are a part of, and their corners.
-void put_in_order(Blend_mesh& mesh, Record& record, std::vector<Edge>& creases) {
+/// A face starts at the first corner of that face, if it has it, else at its corner of least rank.
+void put_in_order(Blend_mesh& mesh, Record& record, const std::array<const Blend_mesh*, 2>& operands,
+                  std::vector<Edge>& creases) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> rank(mesh.number_of_vertices(), no_origin);
   const auto list = [&](Vertex v) {
@@ -135,14 +137,21 @@ void put_in_order(Blend_mesh& mesh, Record& record, std::vector<Edge>& creases) 
   };
   std::vector<Key> keys;
   for (const Face f : mesh.faces()) {
-    Halfedge first = mesh.halfedge(f);
-    for (const Halfedge h : mesh.halfedges_around_face(first))
-      if (rank[mesh.target(h).idx()] < rank[mesh.target(first).idx()]) first = h;
-    mesh.set_halfedge(f, first);
-    keys.push_back({record.cell_of_face[f.idx()], {}, f});
+    const Cell cell = record.cell_of_face[f.idx()];
+    const std::size_t operand = cell < record.faces[0] ? 0 : 1;
+    const Blend_mesh& base = *operands[operand];
+    const Halfedge of_base = base.halfedge(Face(static_cast<std::uint32_t>(cell - operand * record.faces[0])));
+    const Vertex origin = record.vertex_of[operand][base.target(of_base).idx()];
+    Halfedge least = mesh.halfedge(f), start;
+    for (const Halfedge h : mesh.halfedges_around_face(least)) {
+      if (rank[mesh.target(h).idx()] < rank[mesh.target(least).idx()]) least = h;
+      if (origin != Blend_mesh::null_vertex() && mesh.target(h) == origin) start = h;
+    }
+    mesh.set_halfedge(f, start != Blend_mesh::null_halfedge() ? start : least);
+    keys.push_back({cell, {}, f});
     for (auto& corner : keys.back().corner) {
-      corner = rank[mesh.target(first).idx()];
-      first = mesh.next(first);
+      corner = rank[mesh.target(least).idx()];
+      least = mesh.next(least);
     }
   }
   std::sort(keys.begin(), keys.end());
@@ -202,7 +211,7 @@ Boolean_result compute_boolean(const Blend_mesh& a, const Blend_mesh& b, Boolean
   std::vector<Edge> creases;
   for (const Edge e : result.mesh.edges())
     if (crease[e]) creases.push_back(e);
-  put_in_order(result.mesh, *record, creases);
+  put_in_order(result.mesh, *record, {&a, &b}, creases);
   result.cells = Cell_map(record->faces, std::move(record->cell_of_face), std::move(record->vertex_of));
   for (const Edge e : creases)
     if (!flat(e, result.mesh, result.cells, {&a, &b})) result.curves.push_back(e);

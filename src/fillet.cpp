@@ -18,9 +18,24 @@ namespace cgal_blend {
 
 namespace {
 
+// A profile that leaves its wedge by more, in legs, is a mistake.
+constexpr double largest_profile = 1000;
+
 Fillet_outcome blend_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                           const Fillet_options& options) {
   return options.coarse_faces > 0 ? fillet_coarse(body, blends, out, options) : fillet_body(body, blends, out, options);
+}
+
+/// A profile must be made of numbers, whatever the wedge.
+bool is_finite(const Profile& profile) {
+  for (const double angle : {0.5, 1.5, 2.5})
+    for (int k = 0; k <= 16; ++k) {
+      const Profile_point p = profile(k / 16.0, {angle, {}});
+      if (!std::isfinite(std::abs(p.centre) + std::abs(p.contact_1) + std::abs(p.apex) + std::abs(p.contact_2)) ||
+          std::abs(p.apex) > largest_profile)
+        return false;
+    }
+  return true;
 }
 
 Diagnosis check_options(const Fillet_options& options) {
@@ -31,6 +46,7 @@ Diagnosis check_options(const Fillet_options& options) {
     return wrong("chord tolerance must lie between 1e-6 and 0.3");
   if (!(options.smooth_angle > 0 && options.smooth_angle < 180))
     return wrong("smooth angle must lie between 0 and 180 degrees");
+  if (!is_finite(options.profile)) return wrong("the profile must be finite, and not wander far beyond its apex");
   if (options.coarse_faces > 0 && options.mode != Blend_mode::map)
     return wrong("a coarse level keeps the connectivity, so it needs the map mode");
   if (!(options.chord_ratio >= 0 && options.chord_ratio <= 1)) return wrong("chord ratio must lie between 0 and 1");
@@ -78,6 +94,11 @@ Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend
   Fillet_outcome outcome;
   outcome.diagnosis = check_options(options);
   if (!outcome.diagnosis.ok()) return outcome;
+  for (const Edge_blend& blend : blends)
+    if (blend.profile && !is_finite(*blend.profile)) {
+      outcome.diagnosis = {Status::invalid_parameter, "the profile of a blend must be finite", {}, {}};
+      return outcome;
+    }
   Fillet_body body;
   body.mesh = body.base[0] = body.base[1] = &mesh;
   return blend_body(body, blends, out, options);

@@ -12,7 +12,9 @@
 #include <cgal_blend/curve_network.h>
 #include <cgal_blend/validate.h>
 
+#include <algorithm>
 #include <set>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -39,39 +41,70 @@ Compact compact(const Blend_mesh& mesh) {
 
 /// Curves of the blends, each with its edges on the compact mesh.
 struct Curves {
-  Diagnosis diagnosis;
   std::vector<std::vector<Edge>> edges;
-  std::vector<Edge_blend> blends;  // without edges
+  std::vector<Edge_blend> blends;      // without edges
+  std::vector<Blend_report> reports;   // one per branch, those that are refused filled in
+  std::vector<std::size_t> report_of;  // per curve
 };
 
-Curves collect_curves(const Fillet_body& body, const Sharp_mesh& sharp, const Compact& fine,
-                      const std::vector<Edge_blend>& blends) {
-  Curves curves;
-  for (const Edge_blend& blend : blends) {
-    const Curve_network<Blend_mesh> network = make_curve_network(*body.mesh, blend.edges);
-    for (const Branch<Blend_mesh>& branch : network.branches) {
-      const Vertex first = body.mesh->source(branch.halfedges.front());
-      if (!branch.closed()) {
-        curves.diagnosis = refusal(Status::open_branch, to_vec(body.mesh->point(first)));
-        return curves;
-      }
-      const std::vector<Vertex> chain = sharp.curve(*body.mesh, branch.halfedges);
-      std::vector<Edge> edges;
-      for (std::size_t i = 0; i < chain.size(); ++i) {
-        const Vertex a = fine.vertex_of[chain[i].idx()], b = fine.vertex_of[chain[(i + 1) % chain.size()].idx()];
-        const Halfedge h = fine.mesh.halfedge(a, b);
-        if (h == Blend_mesh::null_halfedge()) {
-          curves.diagnosis = refusal(Status::region_not_annular, to_vec(fine.mesh.point(a)));
-          return curves;
+class Curve_collector {
+ public:
+  Curve_collector(const Fillet_body& body, const Sharp_mesh& sharp, const Compact& fine, const Fillet_options& options)
+      : body_(body), sharp_(sharp), fine_(fine), options_(options) {}
+
+  Curves collect(const std::vector<Edge_blend>& blends) {
+    for (const Edge_blend& blend : blends) {
+      const Curve_network<Blend_mesh> network = make_curve_network(*body_.mesh, blend.edges);
+      for (const Branch<Blend_mesh>& branch : network.branches) {
+        Blend_report report;
+        report.edges = branch.halfedges.size();
+        report.closed = branch.closed();
+        report.radius = blend.radius != 0 ? blend.radius : options_.radius;
+        std::vector<Edge> edges;
+        report.diagnosis = add(branch, edges);
+        if (report.diagnosis.ok()) {
+          curves_.report_of.push_back(curves_.reports.size());
+          curves_.edges.push_back(std::move(edges));
+          curves_.blends.push_back({{}, blend.radius, blend.profile});
         }
-        edges.push_back(fine.mesh.edge(h));
+        curves_.reports.push_back(std::move(report));
       }
-      curves.edges.push_back(std::move(edges));
-      curves.blends.push_back({{}, blend.radius, blend.profile});
     }
+    return std::move(curves_);
   }
-  if (curves.edges.empty()) curves.diagnosis.status = Status::no_edges_selected;
-  return curves;
+
+ private:
+  /// The level decimates closed curves that have no vertex in common.
+  Diagnosis add(const Branch<Blend_mesh>& branch, std::vector<Edge>& edges) {
+    const Vec at = to_vec(body_.mesh->point(body_.mesh->source(branch.halfedges.front())));
+    if (!branch.closed()) return refusal(Status::open_branch, at);
+    const std::vector<Vertex> chain = sharp_.curve(*body_.mesh, branch.halfedges);
+    if (chain.size() < 3) return refusal(Status::region_not_annular, at);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Vertex a = fine_.vertex_of[chain[i].idx()], b = fine_.vertex_of[chain[(i + 1) % chain.size()].idx()];
+      if (!taken_.insert(a).second) return refusal(Status::blends_overlap, to_vec(fine_.mesh.point(a)));
+      const Halfedge h = fine_.mesh.halfedge(a, b);
+      if (h == Blend_mesh::null_halfedge()) return refusal(Status::region_not_annular, to_vec(fine_.mesh.point(a)));
+      edges.push_back(fine_.mesh.edge(h));
+    }
+    return {};
+  }
+
+  const Fillet_body& body_;
+  const Sharp_mesh& sharp_;
+  const Compact& fine_;
+  const Fillet_options& options_;
+  std::unordered_set<Vertex> taken_;
+  Curves curves_;
+};
+
+/// `ok` if there is something to blend: every curve, or one at least if the others may stay sharp.
+Diagnosis first_refusal(const std::vector<Blend_report>& reports, bool keep_going) {
+  if (reports.empty()) return {Status::no_edges_selected, "", {}, {}};
+  const auto is_ok = [](const Blend_report& report) { return report.diagnosis.ok(); };
+  if (keep_going && std::any_of(reports.begin(), reports.end(), is_ok)) return {};
+  const auto refused = std::find_if_not(reports.begin(), reports.end(), is_ok);
+  return refused != reports.end() ? refused->diagnosis : Diagnosis();
 }
 
 // Slivers that a boolean leaves along its curve are thinner than the coarse curve is exact; they may fold when the
@@ -134,9 +167,10 @@ double untangle(const std::vector<Vertex>& movable, Blend_mesh& mesh) {
   return checking;
 }
 
-Fillet_outcome refused(Diagnosis diagnosis, const Stage_times& times) {
+Fillet_outcome refused(Diagnosis diagnosis, const Stage_times& times, std::vector<Blend_report> reports) {
   Fillet_outcome outcome;
   outcome.diagnosis = std::move(diagnosis);
+  outcome.blends = std::move(reports);
   outcome.times = times;
   return outcome;
 }
@@ -150,18 +184,19 @@ Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_ble
   Sharp_mesh sharp(body);
   const Compact fine = compact(sharp.mesh);
   times.copy = copying.milliseconds();
-  const Curves curves = collect_curves(body, sharp, fine, blends);
-  if (!curves.diagnosis.ok()) return refused(curves.diagnosis, times);
+  Curves curves = Curve_collector(body, sharp, fine, options).collect(blends);
+  if (Diagnosis bad = first_refusal(curves.reports, options.keep_going); !bad.ok())
+    return refused(std::move(bad), times, std::move(curves.reports));
   const Stopwatch coarsening;
   const Validity_report validity = validate(fine.mesh);
-  if (!validity.ok()) return refused(refusal_of_result(validity.diagnosis), times);
+  if (!validity.ok()) return refused(refusal_of_result(validity.diagnosis), times, std::move(curves.reports));
   const Coarse_level level(fine.mesh, curves.edges, options.coarse_faces);
   Diagnosis bad = validate(level.mesh()).diagnosis;
   times.coarsen = coarsening.milliseconds();
   if (!bad.ok()) {
     bad.status = Status::region_too_coarse;
     bad.detail = "the decimated mesh is not valid; ask for more coarse faces";
-    return refused(std::move(bad), times);
+    return refused(std::move(bad), times, std::move(curves.reports));
   }
 
   Fillet_body coarse;
@@ -169,12 +204,15 @@ Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_ble
   std::vector<Edge_blend> coarse_blends = curves.blends;
   for (std::size_t i = 0; i < coarse_blends.size(); ++i) coarse_blends[i].edges = level.curves()[i];
   Blend_mesh blended;
-  Fillet_outcome outcome = fillet_body(coarse, coarse_blends, blended, options);
+  const Fillet_outcome outcome = fillet_body(coarse, coarse_blends, blended, options);
   times.blend = outcome.times.blend;
-  if (!outcome.ok()) {
-    outcome.times = times;
-    return outcome;
+  for (std::size_t i = 0; i < outcome.blends.size() && i < curves.report_of.size(); ++i) {
+    Blend_report& report = curves.reports[curves.report_of[i]];
+    const std::size_t edges = report.edges;
+    report = outcome.blends[i];
+    report.edges = edges;  // of the fine curve
   }
+  if (!outcome.ok()) return refused(outcome.diagnosis, times, std::move(curves.reports));
   const Stopwatch restoring;
   Blend_mesh restored = fine.mesh;
   std::vector<Vertex> moved;
@@ -193,7 +231,7 @@ Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_ble
   Fillet_outcome whole = finish_body(body, sharp.mesh, changes, out);
   times.copy += whole.times.copy;
   times.validate += whole.times.validate;
-  whole.blends = std::move(outcome.blends);
+  whole.blends = std::move(curves.reports);
   whole.blend_faces = whole.changed_faces;
   whole.times = times;
   if (!whole.ok()) {

@@ -39,10 +39,10 @@ struct Smoothing {
 constexpr std::array<Smoothing, 6> smoothings{
     {{0, 0, 0, 1}, {0, 2, 3, 1}, {50, 4, 6, 1.5}, {60, 6, 12, 2}, {75, 8, 24, 3}, {75, 12, 48, 4}}};
 
-// Views that are tried in the search for the largest radius, and its steps: down to 1/32, then to about 3 %.
-constexpr std::size_t quick_levels = 2;
-constexpr int radius_halvings = 5;
-constexpr int radius_bisections = 5;
+// Views that are tried in the search for the largest radius, and its steps: downward, then between the last two.
+constexpr std::size_t quick_levels = 4;
+constexpr std::array<double, 8> radius_shares{0.98, 0.9, 0.75, 0.5, 0.25, 0.125, 0.0625, 0.03125};
+constexpr int radius_bisections = 4;
 
 // A blend whose vertices are farther off the ball than this, in radii, is none. Rims on facets that are rough at the
 // scale of the ball come near it; on smooth surfaces the error is below 1 %.
@@ -126,6 +126,7 @@ class Engine {
       outcome.diagnosis = escalate(assembly.blame, assembly.diagnosis);
     }
     if (thorough_ && outcome.diagnosis.status != Status::cancelled) find_largest_radii(outcome);
+    if (!outcome.ok()) out.clear();
     for (const Job& job : jobs_) outcome.blends.push_back(job.report);
     outcome.times = aside_;
     outcome.times.blend = watch.milliseconds() - aside_.copy - aside_.validate;
@@ -233,12 +234,14 @@ class Engine {
 
   // Rolling, and what to do about failures.
 
+  [[nodiscard]] bool is_cancelled() const { return options_.progress && !options_.progress(progress_); }
+
   Diagnosis roll_all() {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
       if (job.rolled || !job.report.diagnosis.ok()) continue;
-      if (options_.progress && !options_.progress(static_cast<double>(i) / static_cast<double>(jobs_.size())))
-        return {Status::cancelled, "", {}, {}};
+      progress_ = static_cast<double>(i) / static_cast<double>(jobs_.size());
+      if (is_cancelled()) return {Status::cancelled, "", {}, {}};
       for (; job.level < levels_; ++job.level) {
         const Diagnosis diagnosis = roll(job, i);
         job.rolled = diagnosis.ok();
@@ -309,7 +312,9 @@ class Engine {
     if (!job.first_failure) job.first_failure = diagnosis;
     job.rolled = false;
     // Another view of the surfaces changes the ball's way, but not the mesh that has to follow it.
-    if (diagnosis.status == Status::region_too_coarse && ++job.attempt < mapping_attempts) {
+    // Slanted attempts would take the vertices of the curve off a profile's corners.
+    const std::size_t attempts = job.profile.kinks().empty() ? mapping_attempts : straight_attempts;
+    if (diagnosis.status == Status::region_too_coarse && ++job.attempt < attempts) {
       job.rolled = true;
       return first_refusal();
     }
@@ -331,20 +336,24 @@ class Engine {
   }
 
   /// Fills in the largest radius that works for curves where a smaller ball may do: tried on each alone, to the end.
+  /// Ends early if the caller cancels.
   void find_largest_radii(Fillet_outcome& outcome) {
     for (Job& job : jobs_) {
       if (!may_fit_smaller(job.report.diagnosis.status)) continue;
       const bool is_the_refusal = !outcome.diagnosis.ok() && outcome.diagnosis.point == job.report.diagnosis.point &&
                                   outcome.diagnosis.status == job.report.diagnosis.status;
       double works = 0, fails = job.report.radius;
-      for (int i = 0; i < radius_halvings && works == 0; ++i) {
-        if (fits(job, fails / 2))
-          works = fails / 2;
-        else
-          fails /= 2;
+      for (const double share : radius_shares) {
+        if (is_cancelled()) return;
+        const double radius = share * job.report.radius;
+        if (fits(job, radius)) {
+          works = radius;
+          break;
+        }
+        fails = radius;
       }
       if (works == 0) continue;
-      for (int i = 0; i < radius_bisections; ++i) {
+      for (int i = 0; i < radius_bisections && !is_cancelled(); ++i) {
         const double middle = (works + fails) / 2;
         (fits(job, middle) ? works : fails) = middle;
       }
@@ -358,6 +367,7 @@ class Engine {
     for (const Halfedge h : job.halfedges) blend.edges.push_back(body_.mesh->edge(h));
     Fillet_options alone = options_;
     alone.keep_going = false;
+    alone.progress = nullptr;
     Blend_mesh ignored;
     return Engine(body_, alone, false).run({blend}, ignored).ok();
   }
@@ -412,16 +422,14 @@ class Engine {
     std::vector<Triangle> triangles = std::move(trimming.remnants);
     for (std::size_t k = 0; k < rims.size(); k += 2) {
       const Job& job = jobs_[rims[k].blend];
-      const std::vector<Triangle> strip =
-          tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
-      const auto fold = job.profile.kinks().empty() ? find_fold(work, strip, worst_fold) : std::nullopt;
-      if (fold) {
+      const Strip strip = tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
+      if (const auto fold = find_fold(work, strip, worst_fold)) {
         result.diagnosis =
             refusal(job.report.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, *fold);
         result.blame = rims[k].blend;
         return;
       }
-      triangles.insert(triangles.end(), strip.begin(), strip.end());
+      triangles.insert(triangles.end(), strip.triangles.begin(), strip.triangles.end());
     }
     const Replacement replacement = replace_faces(work, trimming.removed, triangles);
     if (replacement.conflict) {
@@ -527,6 +535,7 @@ class Engine {
   const Fillet_options& options_;
   bool thorough_;
   std::size_t levels_;
+  double progress_ = 0;
   std::unordered_set<Edge> creases_;
   std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;

@@ -676,19 +676,18 @@ class Mapper {
   /// Tries places on the surface around that of a vertex; takes the one with the least tangle.
   bool slide(Vertex v) {
     const Placed start = placed(v);
-    double shortest = surface_.length();
+    double reach = 0;  // along the curve
     for (const Vertex w : mesh_.vertices_around_target(mesh_.halfedge(v)))
-      if (is_inner(w)) {
-        const double step = std::abs(std::remainder(placed(w).t - start.t, surface_.length()));
-        shortest = std::min(shortest, std::max(1e-9 * shortest, step));
-      }
+      if (is_inner(w)) reach = std::max(reach, std::abs(std::remainder(placed(w).t - start.t, surface_.length())));
+    const bool on_corner =
+        std::find(surface_.kinks().begin(), surface_.kinks().end(), start.u) != surface_.kinks().end();
     Placed best = start;
     double least = tangle(v);
     const double before = least;
     for (const double a : {0.0, -0.4, 0.4})
       for (const double b : {0.0, -0.05, 0.05, -0.15, 0.15, -0.3, 0.3, -0.6, 0.6}) {
-        if (a == 0 && b == 0) continue;
-        placed(v) = place(start.t + a * shortest, std::clamp(start.u + b, 0.02, 0.98));
+        if ((a == 0 && b == 0) || (b != 0 && on_corner)) continue;
+        placed(v) = place(start.t + a * reach, std::clamp(start.u + b, 0.02, 0.98));
         const double value = tangle(v);
         if (value >= least * (1 - 1e-3)) continue;
         least = value;

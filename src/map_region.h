@@ -14,6 +14,7 @@
 namespace cgal_blend {
 
 inline constexpr std::size_t mapping_attempts = 4;
+inline constexpr std::size_t straight_attempts = 2;  ///< of these leave u as mapped
 
 /// What maps a blending region: connectivity stays, vertices move.
 struct Region_mapping {

@@ -18,6 +18,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr double meeting = 0.02;        // of the radius: steps nearer than this cross
+constexpr double least_crossing = 0.1;  // sine of the angle between steps that cross
 constexpr double longest_loop = 12;     // radii
 constexpr double largest_share = 0.45;  // of the spine
 constexpr double jump_ratio = 3;        // contact's way over the centre's, where the spine turns on the spot
@@ -28,6 +29,7 @@ constexpr std::size_t fewest_joints = 4;
 constexpr int taubin_steps = 6;
 constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
 constexpr double widest_contact_step = 1.5;  // of the joint's step
+constexpr double nearest_contact = 0.4;      // radii: nearer the joint runs into the surface
 constexpr double widest_contact = 1.6;       // radii: farther away the surface is none of the ball's
 
 /// Where two segments are nearest: the middle between the nearest points, and their distance.
@@ -148,6 +150,9 @@ std::optional<Spine_crossing> find_crossing(const std::vector<Ball_position>& po
     const auto [at, distance] =
         nearest(positions[i].center, positions[i + 1].center, positions[j].center, positions[(j + 1) % n].center);
     if (distance > reach) return;
+    const Vec u = positions[i + 1].center - positions[i].center,
+              v = positions[(j + 1) % n].center - positions[j].center;
+    if (u.cross(v).norm() < least_crossing * u.norm() * v.norm()) return;  // side by side
     const double inner =
         (start[j] - start[i + 1]) + (positions[i + 1].center - at).norm() + (positions[j].center - at).norm();
     const double loop = std::min(inner, start[n] - inner);
@@ -204,7 +209,7 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
   std::reverse(kept.begin(), kept.end());
   if (kept.size() < fewest_joints) return std::nullopt;
 
-  const Ball_position &from = kept.back(), &to = kept.front();
+  const Ball_position from = kept.back(), to = kept.front();
   const Vec leave = end_tangent(kept[kept.size() - 3].center, kept[kept.size() - 2].center, from.center);
   const Vec arrive = -end_tangent(kept[2].center, kept[1].center, to.center);
   const double span = (to.center - from.center).norm();
@@ -268,7 +273,9 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
   }
   for (const Ball_position& p : kept)
     for (int side = 0; side < 2; ++side)
-      if (p.mended && (p.contact[side] - p.center).norm() > widest_contact * radius) return std::nullopt;
+      if (const double arm = (p.contact[side] - p.center).norm();
+          p.mended && (arm > widest_contact * radius || arm < nearest_contact * radius))
+        return std::nullopt;
   return kept;
 }
 

@@ -12,8 +12,10 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double length_samples = 512;  // steps from contact to apex to contact, to spread parameters by length
-constexpr int least_sample = 4;         // halvings, though the profile comes back to where it was
+constexpr double length_samples = 512;       // steps from contact to apex to contact, to spread parameters by length
+constexpr int least_sample = 4;              // halvings, though the profile comes back to where it was
+constexpr int rough_samples = 64;            // for a first idea of the length
+constexpr std::size_t most_samples = 20000;  // whatever the profile
 constexpr int deepest_sample = 40;
 constexpr int deepest_row = 16;
 constexpr double end_step = 1e-6;  // of the parameter, for tangents at the ends
@@ -72,14 +74,17 @@ void Virtual_surface::make_even() {
   if (profile_.is_arc()) return;
   const Section& widest = sections_[widest_];
   const auto at = [&](double parameter) { return place(widest, profile_(parameter, widest.frame)); };
-  const double longest_step =
-      ((widest.apex - widest.contact_1).norm() + (widest.apex - widest.contact_2).norm()) / length_samples;
+  double rough_length = 0;
+  for (int k = 0; k < rough_samples; ++k)
+    rough_length += (at((k + 1.0) / rough_samples) - at(static_cast<double>(k) / rough_samples)).norm();
+  const double longest_step = rough_length / length_samples;
   parameters_ = {0};
   lengths_ = {0};
   const std::function<void(double, const Vec&, double, const Vec&, int)> sample =
       [&](double low, const Vec& a, double high, const Vec& b, int depth) {
         const double step = (b - a).norm();
-        if (depth < deepest_sample && (depth < least_sample || step > longest_step)) {
+        const bool divide = depth < least_sample || step > longest_step;
+        if (divide && depth < deepest_sample && parameters_.size() < most_samples) {
           const double middle = (low + high) / 2;
           const Vec between = at(middle);
           sample(low, a, middle, between, depth + 1);

@@ -174,7 +174,27 @@ TEST_F(Cli, CoarseLevel) {
   ASSERT_EQ(r.exit, 0) << r.err;
   expect_valid("out.off");
   EXPECT_GT(json("r.json")["timings_ms"]["coarsen"].get<double>(), 0);
-  EXPECT_LT(json("r.json")["blends"][0]["edges"].get<int>(), 300) << "the curve of the coarse level";
+  EXPECT_EQ(json("r.json")["blends"].size(), 1u);
+  EXPECT_GT(json("r.json")["blends"][0]["edges"].get<int>(), 300) << "of the fine curve";
+}
+
+TEST_F(Cli, CoarseLevelKeepsGoing) {
+  // A closed rim, and an open chain that is refused: reports for both, in order.
+  write_mesh(path("fine.off"), cylinder(10, 96, 0, 20, 40));
+  std::string rim, chain;
+  for (int i = 0; i <= 96; ++i) rim += (i > 0 ? ", " : "") + std::to_string(41 * 96 + i % 96);
+  for (int i = 0; i <= 10; ++i) chain += (i > 0 ? ", " : "") + std::to_string(i);
+  write("open.json", R"({"blends": [{"polyline": [)" + chain + R"(]}, {"polyline": [)" + rim + R"(]}]})");
+  const std::string command = "fillet fine.off --blends open.json --radius 2 --coarse 1500 -o out.off --report r.json";
+  EXPECT_EQ(run(command).exit, 4);
+  const Run r = run(command + " --keep-going");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  expect_valid("out.off");
+  const Json blends = json("r.json")["blends"];
+  ASSERT_EQ(blends.size(), 2u);
+  EXPECT_EQ(blends[0]["status"], "open_branch");
+  EXPECT_EQ(blends[1]["status"], "ok");
+  EXPECT_EQ(blends[1]["edges"], 96);
 }
 
 TEST_F(Cli, SamplesAlongTheCurve) {

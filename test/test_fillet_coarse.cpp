@@ -86,7 +86,7 @@ TEST(FilletCoarse, NearerToTheTorusTheFinerTheLevel) {
     auto g = sharp.faces().begin();
     for (const Face f : out.faces()) ASSERT_EQ(corners_of(out, f), corners_of(sharp, *g++)) << faces;
     for (const Vertex v : sharp.vertices())
-      if (std::abs(sharp.point(v).x() - 20) > 18) {
+      if (std::abs(sharp.point(v).x() - 20) > 26) {  // more than two coarse faces from the contacts
         EXPECT_EQ(sharp.point(v), out.point(v)) << faces;
       }
     EXPECT_EQ(outcome.kept_faces + outcome.changed_faces.size(), out.number_of_faces()) << faces;

@@ -186,5 +186,15 @@ TEST(SpineLoops, SimpleSpinesHaveNoCrossing) {
   EXPECT_FALSE(find_trimmed_loop(circle, {&plane, &plane}, 1).has_value());
 }
 
+TEST(SpineLoops, StrandsSideBySideDoNotCross) {
+  // A ball that nearly fills a slot: there and back again, 0.02 of its radius apart.
+  const Blend_mesh body = box({-200, -200, -10}, {200, 200, 0});
+  const Base_surface plane(body, {});
+  std::vector<Ball_position> slot;
+  for (int i = 0; i <= 40; ++i) slot.push_back(over_plane(0.25 * i, -0.005, 1, plane));
+  for (int i = 40; i >= 0; --i) slot.push_back(over_plane(0.25 * i, 0.005, 1, plane));
+  EXPECT_FALSE(find_crossing(slot, 1).has_value());
+}
+
 }  // namespace
 }  // namespace cgal_blend::test

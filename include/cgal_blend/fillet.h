@@ -124,8 +124,8 @@ namespace unchecked {
 
 /// Computes a series of booleans, each on the result of those before, and blends the intersection curves of each with a
 /// radius of its own before the next; radius 0 leaves the curves of a step sharp.
-/// The outcome is that of the whole: faces of `first` that are still bit-identical come first in `out`, then those of
-/// the parts in turn; `kept_faces` counts them; `blend_faces` are the transition surfaces of all steps as far as later
+/// The outcome is that of the whole: in stitching mode faces of `first` that are still bit-identical come first in `out`,
+/// then those of the parts in turn; `kept_faces` counts them; `blend_faces` are the transition surfaces of all steps as far as later
 /// steps have left them; `blends` and the times are those of all steps. If a step is refused, so is the whole; the
 /// detail of the diagnosis begins with the step ("part 2", counted from 1, where there are several) and the reports end
 /// with those of that step. `keep_going` holds for each step by itself.

@@ -2,18 +2,19 @@
 #include "options.h"
 
 #include "failure.h"
-
 #include "values.h"
+
+#include <cmath>
 
 namespace cgal_blend::cli {
 
 Fillet_options Ball_options::checked_but_radius() const {
   Fillet_options options = fillet;
   options.profile = parse_profile(profile, "--profile");
+  options.mode = parse_mode(mode.empty() ? (coarse > 0 ? "map" : "stitch") : mode);
   options.coarse_faces = static_cast<std::size_t>(coarse);
-  if (coarse > 0 && mode == "stitch")
+  if (coarse > 0 && options.mode == Blend_mode::stitch)
     throw usage_failure("--coarse keeps the connectivity; it cannot be had with --mode stitch");
-  options.mode = coarse > 0 ? Blend_mode::map : parse_mode(mode.empty() ? "stitch" : mode);
   options.samples = static_cast<std::size_t>(samples);
   return options;
 }
@@ -46,10 +47,11 @@ void add_curvature_output(CLI::App& command, Output_options& options) {
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,
-                        const std::string& help) {
+                        const std::string& help, bool whole) {
   const auto read = [=, &value](const std::string& text) {
     const auto number = parse_number(text);
     if (!number) throw CLI::ValidationError(flag, "'" + text + "' is not a number");
+    if (whole && *number != std::floor(*number)) throw CLI::ValidationError(flag, text + " is not a whole number");
     const bool inside = open ? *number > low && *number < high : *number >= low && *number <= high;
     if (!inside) {
       const auto short_text = [](double x) { return CLI::detail::to_string(x); };
@@ -75,13 +77,14 @@ void add_ball_options(CLI::App& command, Ball_options& options, const std::strin
                   "moved) [stitch]")
       ->type_name("NAME");
   add_number(command, "--coarse", options.coarse, 0, 1e9, false,
-             "Blend the mesh decimated to about so many faces and restore the detail; implies --mode map; 0: off [0]")
+             "Blend the mesh decimated to about so many faces and restore the detail; implies --mode map; 0: off [0]",
+             true)
       ->type_name("N");
   add_number(command, "--chord-tolerance", options.fillet.chord_tolerance, 1e-6, 0.3, false,
              "Largest distance between arc and facets, as a fraction of the radius [0.002]")
       ->type_name("F");
   add_number(command, "--samples", options.samples, 0, 1e6, false,
-             "About so many profiles along each curve, 0: as the chord tolerance asks for [0]")
+             "About so many profiles along each curve, 0: as the chord tolerance asks for [0]", true)
       ->type_name("N");
   add_number(command, "--chord-ratio", options.fillet.chord_ratio, 0, 1, false,
              "Divide steps of the ball whose chord height over length is larger, 0: by the chord tolerance [0]")

@@ -48,9 +48,9 @@ void add_curvature_output(CLI::App& command, Output_options& options);
 void add_ball_options(CLI::App& command, Ball_options& options,
                       const std::string& radius_help = "Radius of the ball, length units of the mesh");
 
-/// A numeric option that has to lie between two bounds; the message names them.
+/// A numeric option that has to lie between two bounds, and be `whole` if that is asked for; the message names them.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,
-                        const std::string& help);
+                        const std::string& help, bool whole = false);
 
 }  // namespace cgal_blend::cli
 
