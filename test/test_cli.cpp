@@ -190,7 +190,8 @@ TEST_F(Cli, CoarseLevelKeepsGoing) {
   ASSERT_EQ(r.exit, 0) << r.err;
   expect_valid("out.off");
   int blended = 0, sharp = 0;
-  for (const Json& blend : json("r.json")["blends"]) ++(blend["status"] == "ok" ? blended : sharp);
+  const Json blends = json("r.json")["blends"];
+  for (const Json& blend : blends) ++(blend["status"] == "ok" ? blended : sharp);
   EXPECT_EQ(blended, 1);
   EXPECT_EQ(sharp, 12);
 }
