@@ -3,6 +3,7 @@
 
 #include "blend_curve.h"
 #include "flatten_disk.h"
+#include "placed_region.h"
 #include "refusal.h"
 
 #include <CGAL/boost/graph/iterator.h>
@@ -26,9 +27,6 @@ constexpr int relaxations = 8;         // Laplacian sweeps in the plane
 constexpr double border_reach = 0.4;   // of the shortest edge: border vertices nearer to the linkage curve move onto it
 constexpr int border_steps = 3;        // Taubin steps along the linkage curve
 constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
-constexpr double derivative_step = 1e-3;  // of the parameters
-constexpr double upright = 0.25;          // cosine: faces that lean more are to be untangled
-constexpr int untangle_passes = 40;
 constexpr double least_upright = 0.5;  // cosine between a face's normals before and after its border vertex moved
 
 /// Coarse fans of faces may fold in space whatever the map, because the blend is no longer seen from their apex as the
@@ -63,13 +61,15 @@ class Mapper {
     if (!place_border()) return refuse(Status::region_not_annular);
     if (!flatten()) return refuse(Status::parametrization_folds);
     relax();
+    placed_.emplace(mesh_, surface_, faces_, inner_index_, inner_.size());
     place_interior();
     draw_border_in();
-    untangle();
-    for (std::size_t k = 0; k < inner_.size(); ++k) result_.interior.emplace_back(inner_[k], on_surface_[k].point);
-    for (const auto& [v, to] : border_) result_.border.emplace_back(v, to);
+    placed_->untangle();
+    for (std::size_t k = 0; k < inner_.size(); ++k)
+      result_.interior.emplace_back(inner_[k], placed_->place(inner_[k]).point);
+    for (const auto& [v, to] : placed_->border()) result_.border.emplace_back(v, to);
     result_.faces = faces_;
-    result_.coarseness = coarseness();
+    result_.coarseness = placed_->coarseness();
     return std::move(result_);
   }
 
@@ -420,11 +420,6 @@ class Mapper {
 
   // Relaxation in the plane, the cut closed again.
 
-  struct Neighbour {
-    Vertex vertex;  // of the disk
-    double shift;   // of t
-  };
-
   void relax() {
     // One list of disk copies per inner vertex.
     std::vector<std::vector<Vertex>> copies(inner_.size());
@@ -499,17 +494,8 @@ class Mapper {
 
   // Back into space.
 
-  struct Placed {
-    double t, u;
-    Vec point;
-  };
-  [[nodiscard]] Placed place(double t, double u) const { return {t, u, surface_(t, u)}; }
-  [[nodiscard]] Placed& placed(Vertex v) { return on_surface_[inner_index_[v.idx()]]; }
-  [[nodiscard]] const Placed& placed(Vertex v) const { return on_surface_[inner_index_[v.idx()]]; }
-
   void place_interior() {
     const double bias = slant_.curve_at > 0 ? odds(curve_mean()) / odds(slant_.curve_at) : 1;
-    on_surface_.resize(inner_.size());
     for (std::size_t i = 0; i < origin_.size(); ++i) {  // copies on the cut have the same place
       const Vertex v = origin_[i];
       if (!is_inner(v)) continue;
@@ -518,7 +504,7 @@ class Mapper {
                            ? parameter_on(
                                  spine_, [](const Ball_position& b) { return b.center; }, to_vec(mesh_.point(v)))
                            : flat_[i].x() + surface_.start(longest_);
-      placed(v) = place(t, u / (u + bias * (1 - u)));
+      placed_->put(v, t, u / (u + bias * (1 - u)));
     }
   }
 
@@ -547,7 +533,7 @@ class Mapper {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         if (!t[k]) continue;
         const Vec to = surface_(*t[k], side);
-        if (stays_upright(loop[k], to)) border_.emplace(mesh_.target(loop[k]), to);
+        if (stays_upright(loop[k], to)) placed_->draw(mesh_.target(loop[k]), to);
       }
     }
   }
@@ -574,136 +560,22 @@ class Mapper {
     const double t = parameter_at(side, at);
     if ((surface_(t, side) - at).norm() > border_reach * shortest) return std::nullopt;
     Vec normal = Vec::Zero();
-    for (const Face f : mesh_.faces_around_target(border)) normal += face_normal(f);
+    for (const Face f : mesh_.faces_around_target(border)) normal += face_normal(mesh_, f);
     for (const Face f : mesh_.faces_around_target(border))
-      if (face_normal(f).dot(normal.normalized()) < least_upright) return std::nullopt;
+      if (face_normal(mesh_, f).dot(normal.normalized()) < least_upright) return std::nullopt;
     int borders = 0;  // a vertex that the border touches twice has two places to go to
     for (const Halfedge h : mesh_.halfedges_around_target(border)) borders += on_border(h) ? 1 : 0;
     return borders == 1 ? std::optional(t) : std::nullopt;
   }
 
-  [[nodiscard]] Vec face_normal(Face f) const {
-    const Halfedge h = mesh_.halfedge(f);
-    return normal_of(to_vec(mesh_.point(mesh_.source(h))), to_vec(mesh_.point(mesh_.target(h))),
-                     to_vec(mesh_.point(mesh_.target(mesh_.next(h)))));
-  }
-
-  static Vec normal_of(const Vec& a, const Vec& b, const Vec& c) { return (b - a).cross(c - a).stableNormalized(); }
-
   [[nodiscard]] bool stays_upright(Halfedge border, const Vec& to) const {
     for (const Halfedge h : mesh_.halfedges_around_target(border)) {
       if (inside(h)) continue;
       const Vec moved =
-          normal_of(to_vec(mesh_.point(mesh_.source(h))), to, to_vec(mesh_.point(mesh_.target(mesh_.next(h)))));
-      if (moved.dot(face_normal(mesh_.face(h))) < least_upright) return false;
+          face_normal(to_vec(mesh_.point(mesh_.source(h))), to, to_vec(mesh_.point(mesh_.target(mesh_.next(h)))));
+      if (moved.dot(face_normal(mesh_, mesh_.face(h))) < least_upright) return false;
     }
     return true;
-  }
-
-  // Untangling in space: faces that are large against the ball may fold though their flat images do not.
-
-  [[nodiscard]] Vec position(Vertex v) const {
-    if (is_inner(v)) return placed(v).point;
-    const auto drawn = border_.find(v);
-    return drawn != border_.end() ? drawn->second : to_vec(mesh_.point(v));
-  }
-
-  /// The mean of a face's inner vertices.
-  struct Mean_place {
-    double t = 0, u = 0;
-    Vec point = Vec::Zero();
-    int inner = 0;
-  };
-  [[nodiscard]] Mean_place mean_place(Face f) const {
-    Mean_place mean;
-    double first = 0;
-    for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f))) {
-      if (!is_inner(v)) continue;
-      const Placed& on = placed(v);
-      if (mean.inner++ == 0) first = on.t;
-      mean.t += first + std::remainder(on.t - first, surface_.length());
-      mean.u += on.u;
-      mean.point += on.point;
-    }
-    mean.t /= mean.inner;
-    mean.u /= mean.inner;
-    mean.point /= mean.inner;
-    return mean;
-  }
-
-  /// Unit normal that a face should have: that of the surface at its inner vertices; between it and the old normal for
-  /// faces that reach out of the region.
-  [[nodiscard]] Vec wanted_normal(Face f) const {
-    const Mean_place mean = mean_place(f);
-    const double u = std::clamp(mean.u, derivative_step, 1 - derivative_step);
-    const double dt = derivative_step * surface_.length();
-    const Vec along = surface_(mean.t + dt, u) - surface_(mean.t - dt, u);
-    const Vec across = surface_(mean.t, u + derivative_step) - surface_(mean.t, u - derivative_step);
-    const Vec normal = across.cross(along).stableNormalized();
-    return mean.inner == 3 ? normal : Vec((normal + face_normal(f)).stableNormalized());
-  }
-
-  /// Cosine between the normal that a face has and the one it should have.
-  [[nodiscard]] double uprightness(Face f) const {
-    const Halfedge h = mesh_.halfedge(f);
-    const Vec normal =
-        normal_of(position(mesh_.source(h)), position(mesh_.target(h)), position(mesh_.target(mesh_.next(h))));
-    return normal.dot(wanted_normal(f));
-  }
-
-  [[nodiscard]] double tangle(Vertex v) const {
-    double sum = 0;
-    for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v))) {
-      const double lack = std::max(0.0, upright - uprightness(f));
-      sum += lack * lack;
-    }
-    return sum;
-  }
-
-  void untangle() {
-    for (int pass = 0; pass < untangle_passes; ++pass) {
-      std::set<Vertex> bad;
-      for (const Face f : faces_)
-        if (uprightness(f) < upright)
-          for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
-            if (is_inner(v)) bad.insert(v);
-      bool improved = false;
-      for (const Vertex v : bad) improved = slide(v) || improved;
-      if (!improved) return;
-    }
-  }
-
-  /// Tries places on the surface around that of a vertex; takes the one with the least tangle.
-  bool slide(Vertex v) {
-    const Placed start = placed(v);
-    double reach = 0;  // along the curve
-    for (const Vertex w : mesh_.vertices_around_target(mesh_.halfedge(v)))
-      if (is_inner(w)) reach = std::max(reach, std::abs(std::remainder(placed(w).t - start.t, surface_.length())));
-    const bool on_corner =
-        std::find(surface_.kinks().begin(), surface_.kinks().end(), start.u) != surface_.kinks().end();
-    Placed best = start;
-    double least = tangle(v);
-    const double before = least;
-    for (const double a : {0.0, -0.4, 0.4})
-      for (const double b : {0.0, -0.05, 0.05, -0.15, 0.15, -0.3, 0.3, -0.6, 0.6}) {
-        if ((a == 0 && b == 0) || (b != 0 && on_corner)) continue;
-        placed(v) = place(start.t + a * reach, std::clamp(start.u + b, 0.02, 0.98));
-        const double value = tangle(v);
-        if (value >= least * (1 - 1e-3)) continue;
-        least = value;
-        best = placed(v);
-      }
-    placed(v) = best;
-    return least < before;
-  }
-
-  /// Largest distance of sample points of the surface from the plane triangles that stand for it.
-  [[nodiscard]] double coarseness() const {
-    double largest = 0;
-    for (const Face f : faces_)
-      if (const Mean_place mean = mean_place(f); mean.inner > 1)
-        largest = std::max(largest, (surface_(mean.t, mean.u) - mean.point).norm());
-    return largest;
   }
 
   const Blend_mesh& mesh_;
@@ -730,8 +602,7 @@ class Mapper {
   std::unordered_map<Halfedge, Vertex> corner_;  // disk vertex at the target
   std::vector<Vertex> origin_;                   // per disk vertex
   std::vector<Point_2> places_, flat_;
-  std::vector<Placed> on_surface_;  // per inner vertex
-  std::map<Vertex, Vec> border_;    // border vertices that move
+  std::optional<Placed_region> placed_;
   Region_mapping result_;
 };
 
