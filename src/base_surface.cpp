@@ -12,9 +12,9 @@ namespace {
 
 constexpr int longest_walk = 4096;  // faces; a walk is a Newton step, a few ball radii long
 
-double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 }  // namespace
+
+double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 Base_surface::Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases)
     : mesh_(mesh), options_(options), cos_smooth_(std::cos(options.smooth_angle * pi / 180)), creases_(creases) {}

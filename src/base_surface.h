@@ -21,6 +21,9 @@ using Vec = Eigen::Vector3d;
 inline Vec to_vec(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
 inline Point_3 to_point(const Vec& v) { return {v.x(), v.y(), v.z()}; }
 
+/// Angle between two vectors, radians in [0, pi].
+[[nodiscard]] double angle_between(const Vec& a, const Vec& b);
+
 /// A point of a mesh: a face, and the barycentric coordinates with respect to the targets of its halfedges
 /// h, next(h), next(next(h)) where h = halfedge(face).
 struct Surface_point {

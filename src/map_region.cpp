@@ -2,6 +2,7 @@
 #include "map_region.h"
 
 #include "blend_curve.h"
+#include "curve_ring.h"
 #include "flatten_disk.h"
 #include "placed_region.h"
 #include "refusal.h"
@@ -12,8 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <queue>
 #include <set>
 #include <unordered_map>
 
@@ -51,24 +50,22 @@ class Mapper {
         linkage_{Curve_locator(contacts(positions, 0)), Curve_locator(contacts(positions, 1))},
         spine_(centers(positions)),
         slant_(slants[attempt]),
-        inner_index_(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1),
-        side_(mesh.number_of_faces() + mesh.number_of_removed_faces(), -1) {}
+        ring_(mesh) {}
 
   Region_mapping run() {
-    const bool ring = collect_interior() && collect_faces() && collect_borders() && cut();
-    if (!ring) return refuse(Status::region_not_annular);
+    if (!ring_.collect(curve_, between_) || !cut()) return refuse(Status::region_not_annular);
     build_disk();
     if (!place_border()) return refuse(Status::region_not_annular);
     if (!flatten()) return refuse(Status::parametrization_folds);
     relax();
-    placed_.emplace(mesh_, surface_, faces_, inner_index_, inner_.size());
+    placed_.emplace(mesh_, surface_, ring_.faces(), ring_.inner_index(), ring_.inner().size());
     place_interior();
     draw_border_in();
     placed_->untangle();
-    for (std::size_t k = 0; k < inner_.size(); ++k)
-      result_.interior.emplace_back(inner_[k], placed_->place(inner_[k]).point);
+    for (std::size_t k = 0; k < ring_.inner().size(); ++k)
+      result_.interior.emplace_back(ring_.inner()[k], placed_->place(ring_.inner()[k]).point);
     for (const auto& [v, to] : placed_->border()) result_.border.emplace_back(v, to);
-    result_.faces = faces_;
+    result_.faces = ring_.faces();
     result_.coarseness = placed_->coarseness();
     return std::move(result_);
   }
@@ -92,105 +89,6 @@ class Mapper {
     return refused;
   }
 
-  // The region.
-
-  /// Inner vertices hang together with the curve; others between the linkage curves are left where they are.
-  bool collect_interior() {
-    for (const Vertex v : curve_)
-      if (between_.count(v)) add_inner(v);
-    if (inner_.size() != curve_.size() || curve_.size() < 3) return false;
-    for (std::size_t i = 0; i < inner_.size(); ++i)
-      for (const Vertex v : mesh_.vertices_around_target(mesh_.halfedge(inner_[i])))
-        if (between_.count(v)) add_inner(v);
-    return true;
-  }
-
-  void add_inner(Vertex v) {
-    if (is_inner(v)) return;
-    inner_index_[v.idx()] = static_cast<int>(inner_.size());
-    inner_.push_back(v);
-  }
-
-  [[nodiscard]] bool is_inner(Vertex v) const { return inner_index_[v.idx()] >= 0; }
-  [[nodiscard]] int side(Face f) const { return side_[f.idx()]; }
-  [[nodiscard]] bool in_region(Face f) const { return side(f) >= 0; }
-
-  /// All faces at inner vertices, by the side of the curve that they lie on.
-  bool collect_faces() {
-    const auto add = [&](Face f, int side) {
-      if (in_region(f) || !touches_interior(f)) return;
-      side_[f.idx()] = static_cast<signed char>(side);
-      faces_.push_back(f);
-    };
-    std::unordered_set<Edge> curve_edges;
-    for (std::size_t i = 0; i < curve_.size(); ++i) {
-      const Halfedge h = mesh_.halfedge(curve_[i], curve_[(i + 1) % curve_.size()]);
-      if (h == Blend_mesh::null_halfedge()) return false;
-      curve_edges.insert(mesh_.edge(h));
-      add(mesh_.face(h), 0);
-      add(mesh_.face(mesh_.opposite(h)), 1);
-    }
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(faces_[i]))) {
-        if (curve_edges.count(mesh_.edge(h))) continue;
-        const Face other = mesh_.face(mesh_.opposite(h));
-        if (in_region(other) && side(other) != side(faces_[i])) return false;
-        add(other, side(faces_[i]));
-      }
-    std::sort(faces_.begin(), faces_.end());
-    for (const Face f : faces_)  // a vertex in the midst of the region moves with it
-      for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
-        if (!is_inner(v) && is_enclosed(v)) add_inner(v);
-    // Nothing that an inner vertex touches may have been left out.
-    for (const Vertex v : inner_)
-      for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v)))
-        if (!in_region(f)) return false;
-    return true;
-  }
-
-  [[nodiscard]] bool is_enclosed(Vertex v) const {
-    for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v)))
-      if (!in_region(f)) return false;
-    return true;
-  }
-
-  [[nodiscard]] bool touches_interior(Face f) const {
-    for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(f)))
-      if (is_inner(v)) return true;
-    return false;
-  }
-
-  [[nodiscard]] bool inside(Halfedge h) const { return in_region(mesh_.face(h)); }
-  [[nodiscard]] bool on_border(Halfedge h) const { return inside(h) && !inside(mesh_.opposite(h)); }
-
-  /// The border halfedge after one that lies in the region.
-  [[nodiscard]] Halfedge next_on_border(Halfedge h) const {
-    Halfedge g = mesh_.next(h);
-    while (inside(mesh_.opposite(g))) g = mesh_.next(mesh_.opposite(g));
-    return g;
-  }
-
-  /// One loop on either side, and the Euler characteristic of an annulus.
-  bool collect_borders() {
-    std::unordered_set<Halfedge> seen;
-    for (const Face f : faces_)
-      for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
-        if (!on_border(h) || seen.count(h)) continue;
-        std::vector<Halfedge>& loop = borders_[static_cast<std::size_t>(side(f))];
-        if (!loop.empty()) return false;
-        Halfedge g = h;
-        do {
-          if (side(mesh_.face(g)) != side(f) || !seen.insert(g).second) return false;
-          loop.push_back(g);
-          g = next_on_border(g);
-        } while (g != h);
-      }
-    if (borders_[0].empty() || borders_[1].empty()) return false;
-    const std::size_t border = borders_[0].size() + borders_[1].size();
-    const std::size_t edges = (3 * faces_.size() + border) / 2;
-    return inner_.size() + border + faces_.size() == edges;  // each border halfedge stands for one vertex
-  }
-
   // Splitting.
 
   /// Cuts along the shortest path between the border vertices nearest to the ends of the longest profile.
@@ -209,66 +107,17 @@ class Mapper {
       const auto distance = [&](Halfedge h) {
         return (to_vec(mesh_.point(mesh_.target(h))) - positions_[longest_].contact[side]).squaredNorm();
       };
-      ends[side] = *std::min_element(borders_[side].begin(), borders_[side].end(),
+      ends[side] = *std::min_element(ring_.border(side).begin(), ring_.border(side).end(),
                                      [&](Halfedge a, Halfedge b) { return distance(a) < distance(b); });
     }
-    return shortest_path(ends);
-  }
-
-  /// Dijkstra over inner vertices, from the fan of faces behind one border halfedge to that behind the other.
-  bool shortest_path(const std::array<Halfedge, 2>& ends) {
-    std::map<Vertex, Halfedge> last;  // edges into the second end
-    for_fan(ends[1], [&](Halfedge h) {
-      if (is_inner(mesh_.source(h))) last.emplace(mesh_.source(h), h);
-    });
-    std::unordered_map<Vertex, std::pair<double, Halfedge>> best;
-    using Item = std::pair<double, Halfedge>;
-    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-    for_fan(ends[0], [&](Halfedge h) { queue.push({hop(h), mesh_.opposite(h)}); });
-    Vertex arrived;
-    double shortest = 0;
-    while (!queue.empty()) {
-      const auto [far, h] = queue.top();
-      queue.pop();
-      if (arrived != Blend_mesh::null_vertex() && far >= shortest) break;
-      const Vertex v = mesh_.target(h);
-      if (!is_inner(v) || !best.emplace(v, Item{far, h}).second) continue;
-      if (const auto end = last.find(v); end != last.end()) {
-        const double total = far + hop(end->second);
-        if (arrived == Blend_mesh::null_vertex() || total < shortest) {
-          shortest = total;
-          arrived = v;
-        }
-      }
-      for (const Halfedge g : mesh_.halfedges_around_target(h)) queue.push({far + hop(g), mesh_.opposite(g)});
-    }
-    if (arrived == Blend_mesh::null_vertex()) return false;
-    path_.push_back(last.at(arrived));
-    for (Vertex v = arrived; is_inner(v); v = mesh_.source(path_.back())) path_.push_back(best.at(v).second);
-    std::reverse(path_.begin(), path_.end());
+    path_ = ring_.shortest_path(ends, hop_cost * surface_.profile_length(longest_));
     for (const Halfedge h : path_) cut_.insert(mesh_.edge(h));
-    return true;
+    return !path_.empty();
   }
-
-  /// Calls for every halfedge inside the region that ends where a border halfedge does, in the same fan.
-  template <class Function>
-  void for_fan(Halfedge border, const Function& call) const {
-    for (Halfedge h = border; inside(mesh_.opposite(mesh_.next(h)));) {
-      h = mesh_.opposite(mesh_.next(h));
-      call(h);
-    }
-  }
-
-  [[nodiscard]] double length(Halfedge h) const {
-    return (to_vec(mesh_.point(mesh_.target(h))) - to_vec(mesh_.point(mesh_.source(h)))).norm();
-  }
-
-  /// Cost of an edge of the cut: a little more than its length, so that three vertices of one face are never on the cut.
-  [[nodiscard]] double hop(Halfedge h) const { return length(h) + hop_cost * surface_.profile_length(longest_); }
 
   // The disk.
 
-  [[nodiscard]] bool joined(Halfedge h) const { return inside(mesh_.opposite(h)) && !cut_.count(mesh_.edge(h)); }
+  [[nodiscard]] bool joined(Halfedge h) const { return ring_.inside(mesh_.opposite(h)) && !cut_.count(mesh_.edge(h)); }
 
   /// The first corner of the fan that a corner of the region belongs to; a corner is the halfedge that ends in it.
   [[nodiscard]] Halfedge fan_of(Halfedge corner) const {
@@ -282,7 +131,7 @@ class Mapper {
   }
 
   void build_disk() {
-    for (const Face f : faces_)
+    for (const Face f : ring_.faces())
       for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
         const Halfedge fan = fan_of(h);
         const auto [at, is_new] = fan_vertex_.emplace(fan, Vertex(static_cast<std::uint32_t>(origin_.size())));
@@ -291,7 +140,7 @@ class Mapper {
         origin_.push_back(mesh_.target(h));
         disk_.add_vertex(mesh_.point(mesh_.target(h)));
       }
-    for (const Face f : faces_) {
+    for (const Face f : ring_.faces()) {
       const Halfedge h = mesh_.halfedge(f);
       disk_.add_face(corner_[h], corner_[mesh_.next(h)], corner_[mesh_.next(mesh_.next(h))]);
     }
@@ -316,14 +165,14 @@ class Mapper {
   }
 
   bool place_border() {
-    if (disk_.number_of_faces() != faces_.size()) return false;
+    if (disk_.number_of_faces() != ring_.faces().size()) return false;
     places_.assign(origin_.size(), Point_2(0, 0));
     for (int side = 0; side < 2; ++side)
       if (!place_side(side)) return false;
     place_cut();
     // Between the linkage curves the region is as wide as they are apart, however far its border reaches beyond them.
     for (const Vertex v : disk_.vertices())
-      if (!is_inner(origin_[v.idx()]))
+      if (!ring_.is_inner(origin_[v.idx()]))
         disk_.point(v) = to_point(surface_(places_[v.idx()].x() + surface_.start(longest_), 1 - places_[v.idx()].y()));
     return true;
   }
@@ -331,7 +180,7 @@ class Mapper {
   /// Parameters along one side, increasing: the nearest of the linkage curve, evened out.
   bool place_side(int side) {
     // The border in the direction of the curve, from the cut once around to the cut.
-    std::vector<Halfedge> loop = borders_[side];
+    std::vector<Halfedge> loop = ring_.border(side);
     const Halfedge start = side == 0 ? mesh_.opposite(path_.front()) : path_.back();
     const auto at_cut = [&](Halfedge h) { return mesh_.target(h) == mesh_.target(start) && ends_at_cut(h); };
     const auto first = std::find_if(loop.begin(), loop.end(), at_cut);
@@ -350,7 +199,7 @@ class Mapper {
     t[n] = whole;
     for (std::size_t k = 0; k <= n; ++k) t[k] = std::clamp(t[k], 0.0, whole);
     make_monotone(t);
-    for (std::size_t k = 1; k <= n; ++k) even[k] = even[k - 1] + length(loop[k - 1]);
+    for (std::size_t k = 1; k <= n; ++k) even[k] = even[k - 1] + ring_.length(loop[k - 1]);
     for (std::size_t k = 0; k <= n; ++k) {
       const double along = (1 - border_slack) * t[k] + border_slack * whole * even[k] / even[n];
       // A border vertex k stands between halfedges k - 1 and k; both ends of the row are copies of the cut's end.
@@ -362,7 +211,7 @@ class Mapper {
 
   [[nodiscard]] bool ends_at_cut(Halfedge border) const {
     bool found = false;
-    for_fan(border, [&](Halfedge h) { found = found || cut_.count(mesh_.edge(h)) != 0; });
+    ring_.for_fan(border, [&](Halfedge h) { found = found || cut_.count(mesh_.edge(h)) != 0; });
     return found;
   }
 
@@ -422,14 +271,14 @@ class Mapper {
 
   void relax() {
     // One list of disk copies per inner vertex.
-    std::vector<std::vector<Vertex>> copies(inner_.size());
+    std::vector<std::vector<Vertex>> copies(ring_.inner().size());
     for (const Vertex v : disk_.vertices())
-      if (const int k = inner_index_[origin_[v.idx()].idx()]; k >= 0) copies[k].push_back(v);
+      if (const int k = ring_.inner_index()[origin_[v.idx()].idx()]; k >= 0) copies[k].push_back(v);
     const double across = width();
     for (int sweep = 0; sweep < relaxations; ++sweep)
       for (const std::vector<Vertex>& disk_vertices : copies) relax_vertex(disk_vertices, across);
     if (!surface_.kinks().empty())
-      for (const Vertex v : curve_) onto_kink(copies[inner_index_[v.idx()]]);
+      for (const Vertex v : curve_) onto_kink(copies[ring_.inner_index()[v.idx()]]);
   }
 
   [[nodiscard]] double width() const {
@@ -498,7 +347,7 @@ class Mapper {
     const double bias = slant_.curve_at > 0 ? odds(curve_mean()) / odds(slant_.curve_at) : 1;
     for (std::size_t i = 0; i < origin_.size(); ++i) {  // copies on the cut have the same place
       const Vertex v = origin_[i];
-      if (!is_inner(v)) continue;
+      if (!ring_.is_inner(v)) continue;
       const double u = std::clamp(1 - flat_[i].y(), 0.0, 1.0);
       const double t = slant_.own_t
                            ? parameter_on(
@@ -525,7 +374,7 @@ class Mapper {
   /// Border vertices near their linkage curve move onto it; a few Taubin steps along it even them out.
   void draw_border_in() {
     for (int side = 0; side < 2; ++side) {
-      const std::vector<Halfedge>& loop = borders_[side];
+      const std::vector<Halfedge>& loop = ring_.border(side);
       std::vector<std::optional<double>> t;  // per border vertex that moves
       for (const Halfedge h : loop) t.push_back(drawn_to(h, side));
       for (int step = 0; step < border_steps; ++step)
@@ -556,7 +405,7 @@ class Mapper {
     const Vec at = to_vec(mesh_.point(v));
     double shortest = -1;
     for (const Halfedge h : mesh_.halfedges_around_target(border))
-      if (shortest < 0 || length(h) < shortest) shortest = length(h);
+      if (shortest < 0 || ring_.length(h) < shortest) shortest = ring_.length(h);
     const double t = parameter_at(side, at);
     if ((surface_(t, side) - at).norm() > border_reach * shortest) return std::nullopt;
     Vec normal = Vec::Zero();
@@ -564,13 +413,13 @@ class Mapper {
     for (const Face f : mesh_.faces_around_target(border))
       if (face_normal(mesh_, f).dot(normal.normalized()) < least_upright) return std::nullopt;
     int borders = 0;  // a vertex that the border touches twice has two places to go to
-    for (const Halfedge h : mesh_.halfedges_around_target(border)) borders += on_border(h) ? 1 : 0;
+    for (const Halfedge h : mesh_.halfedges_around_target(border)) borders += ring_.on_border(h) ? 1 : 0;
     return borders == 1 ? std::optional(t) : std::nullopt;
   }
 
   [[nodiscard]] bool stays_upright(Halfedge border, const Vec& to) const {
     for (const Halfedge h : mesh_.halfedges_around_target(border)) {
-      if (inside(h)) continue;
+      if (ring_.inside(h)) continue;
       const Vec moved =
           face_normal(to_vec(mesh_.point(mesh_.source(h))), to, to_vec(mesh_.point(mesh_.target(mesh_.next(h)))));
       if (moved.dot(face_normal(mesh_, mesh_.face(h))) < least_upright) return false;
@@ -588,13 +437,9 @@ class Mapper {
   mutable std::size_t hint_ = 0;  // segment that was nearest last
   const Slant& slant_;
 
-  std::vector<Vertex> inner_;                     // vertices between the linkage curves
-  std::vector<int> inner_index_;                  // by vertex of the mesh: place in `inner_`, or -1
-  std::vector<Face> faces_;                       // the region, in order
-  std::vector<signed char> side_;                 // by face of the mesh: side of the curve, or -1 outside the region
-  std::array<std::vector<Halfedge>, 2> borders_;  // halfedges of the region along its left and right border
-  std::size_t longest_ = 0;                       // profile at which the region is cut
-  std::vector<Halfedge> path_;                    // the cut, from left to right
+  Curve_ring ring_;
+  std::size_t longest_ = 0;     // profile at which the region is cut
+  std::vector<Halfedge> path_;  // the cut, from left to right
   std::set<Edge> cut_;
 
   Blend_mesh disk_;

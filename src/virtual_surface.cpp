@@ -20,8 +20,6 @@ constexpr int deepest_sample = 40;
 constexpr int deepest_row = 16;
 constexpr double end_step = 1e-6;  // of the parameter, for tangents at the ends
 
-double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 }  // namespace
 
 Virtual_surface::Virtual_surface(const std::vector<Ball_position>& positions,
