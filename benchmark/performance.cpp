@@ -180,7 +180,7 @@ void map_at_paper_scale(benchmark::State& state) {
 // (d) Mapping the vertices of a quarter of a million faces, against mapping a coarse level and restoring the detail.
 
 void coarse_level(benchmark::State& state) {
-  const Blend_mesh body = united(sphere(30, 6), sphere(22, 6, {27.1, 3.7, 5.9}));  // 132k faces
+  const Blend_mesh body = united(sphere(30, 7), sphere(22, 6, {27.1, 3.7, 5.9}));  // 337k faces
   const std::vector<Edge_blend> seam{{grooves(body), ball_on_fine_mesh, {}}};
   Fillet_options options = options_of(ball_on_fine_mesh);
   options.mode = Blend_mode::map;
