@@ -126,7 +126,16 @@ void put_in_order(Blend_mesh& mesh, Record& record, const std::array<const Blend
   std::vector<Vertex> others;
   for (const Vertex v : mesh.vertices())
     if (rank[v.idx()] == no_origin) others.push_back(v);
-  std::sort(others.begin(), others.end(), [&](Vertex v, Vertex w) { return mesh.point(v) < mesh.point(w); });
+  const auto cells_at = [&](Vertex v) {
+    std::vector<Cell> cells;
+    for (const Face f : mesh.faces_around_target(mesh.halfedge(v))) cells.push_back(record.cell_of_face[f.idx()]);
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  };
+  std::sort(others.begin(), others.end(), [&](Vertex v, Vertex w) {
+    if (mesh.point(v) != mesh.point(w)) return mesh.point(v) < mesh.point(w);
+    return cells_at(v) < cells_at(w);  // rounded to the same place
+  });
   for (const Vertex v : others) list(v);
 
   struct Key {
