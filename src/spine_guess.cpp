@@ -14,8 +14,8 @@ namespace cgal_blend {
 namespace {
 
 // Base patches reach this far beyond the contact that a planar wedge would have, and never farther than the last.
-constexpr double patch_stretch = 1.5;
-constexpr double patch_margin = 0.75;  // of the radius
+constexpr double patch_stretch = 1.25;
+constexpr double patch_margin = 0.5;  // of the radius
 constexpr double patch_limit = 12;     // of the radius
 constexpr std::size_t fewest_guesses = 16;
 constexpr double beyond_round = 1.2;  // radii from the middle of a round; at right angles its end is at most 0.79 away
