@@ -234,6 +234,9 @@ class Engine {
 
   // Rolling, and what to do about failures.
 
+  /// A smoother view would blur the round that is to be sharpened into the surfaces beyond it.
+  [[nodiscard]] std::size_t levels_of(const Job& job) const { return job.profile.is_sharp() ? 1 : levels_; }
+
   [[nodiscard]] bool is_cancelled() const { return options_.progress && !options_.progress(progress_); }
 
   Diagnosis roll_all() {
@@ -242,7 +245,7 @@ class Engine {
       if (job.rolled || !job.report.diagnosis.ok()) continue;
       progress_ = static_cast<double>(i) / static_cast<double>(jobs_.size());
       if (is_cancelled()) return {Status::cancelled, "", {}, {}};
-      for (; job.level < levels_; ++job.level) {
+      for (; job.level < levels_of(job); ++job.level) {
         const Diagnosis diagnosis = roll(job, i);
         job.rolled = diagnosis.ok();
         if (job.rolled) break;
@@ -320,7 +323,7 @@ class Engine {
     }
     const bool mesh_is_to_blame = status_is_of_mapping(diagnosis.status);
     if (mesh_is_to_blame) job.first_failure = diagnosis;
-    if (mesh_is_to_blame || ++job.level == levels_) refuse(job);
+    if (mesh_is_to_blame || ++job.level == levels_of(job)) refuse(job);
     return first_refusal();
   }
 
@@ -339,7 +342,7 @@ class Engine {
   /// Ends early if the caller cancels.
   void find_largest_radii(Fillet_outcome& outcome) {
     for (Job& job : jobs_) {
-      if (!may_fit_smaller(job.report.diagnosis.status)) continue;
+      if (job.profile.is_sharp() || !may_fit_smaller(job.report.diagnosis.status)) continue;
       const bool is_the_refusal = !outcome.diagnosis.ok() && outcome.diagnosis.point == job.report.diagnosis.point &&
                                   outcome.diagnosis.status == job.report.diagnosis.status;
       double works = 0, fails = job.report.radius;

@@ -6,6 +6,8 @@
 #include "spine_guess.h"
 #include "spine_loops.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +19,8 @@ constexpr double widest_gap = 3;  // of the coarsest step: farther apart, positi
 constexpr int deepest_split = 12;
 constexpr std::size_t fewest_positions = 6;
 constexpr std::size_t most_loops = 64;
+constexpr double least_opening = 0.2;  // radii between contacts beyond a round
+constexpr double round_bend = 0.5;     // curvature times radius: more belongs to a round
 
 /// Contacts must go forward with the centre, or the profiles of neighbours would cross.
 bool goes_forward(const Ball_position& a, const Ball_position& b) {
@@ -36,6 +40,21 @@ double chord_error(const Ball_position& a, const Ball_position& b, const Ball_po
   return std::max({off_segment(a.center, b.center, middle.center),
                    off_segment(a.contact[0], b.contact[0], middle.contact[0]),
                    off_segment(a.contact[1], b.contact[1], middle.contact[1])});
+}
+
+/// A contact on a surface that bends nearly as the ball does: still on the round that is to be sharpened.
+std::optional<Vec> contact_on_round(const std::vector<Ball_position>& positions,
+                                    const std::array<const Base_surface*, 2>& surfaces, double radius) {
+  for (const Ball_position& p : positions) {
+    if ((p.contact[0] - p.contact[1]).norm() < least_opening * radius) return p.contact[0];  // in the curve itself
+    const std::array<Vec, 2> arm{p.contact[0] - p.center, p.contact[1] - p.center};
+    for (int side = 0; side < 2; ++side) {
+      const Vec across = arm[0].cross(arm[1]).cross(arm[side]).stableNormalized();
+      if (curvature_towards_ball(*surfaces[side], p.foot[side], arm[side], across) * radius > round_bend)
+        return p.contact[side];
+    }
+  }
+  return std::nullopt;
 }
 
 class Roller {
@@ -192,6 +211,12 @@ double mean_step(const std::vector<Ball_guess>& guesses) {
 
 }  // namespace
 
+double curvature_towards_ball(const Base_surface& surface, const Surface_point& foot, const Vec& arm,
+                              const Vec& along) {
+  const double towards = surface.normal(foot).dot(arm) < 0 ? -1 : 1;  // a convex surface bends towards a ball inside it
+  return towards * surface.normal_curvature(foot, along);
+}
+
 Sampling sampling(double chord_tolerance) {
   const double facet = 2 * std::sin(std::acos(1 - chord_tolerance));
   return {chord_tolerance, facet, std::min(6 * facet, std::max(1.0, 2 * facet)), facet};
@@ -207,7 +232,15 @@ Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Bl
     if (sampling.samples > 0) steps.coarsest = mean_step(guesses) / radius;
     return Roller(solver, steps).roll(guesses, locator);
   };
-  if (kind == Curve_kind::round) return roll(guess_beyond_round(solver, curve, spacing));
+  if (kind == Curve_kind::round) {
+    Ball_path path = roll(guess_beyond_round(solver, curve, spacing));
+    if (path.diagnosis.ok())
+      if (const auto at = contact_on_round(path.positions, surfaces, radius)) {
+        path.diagnosis = refusal(Status::no_rolling_ball, *at);
+        path.diagnosis.detail = "the radius is too small to reach beyond the round";
+      }
+    return path;
+  }
   const std::vector<Ball_guess> guesses = guess_from_offsets(solver, curve, locator, spacing);
   if (!guesses.empty()) {
     Ball_path path = roll(guesses);

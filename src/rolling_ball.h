@@ -20,6 +20,11 @@ struct Ball_position {
   bool mended = false;  ///< of a joint over a loop of the spine: the contacts are the nearest points
 };
 
+/// Normal curvature of a surface at a contact along a tangent, positive where it bends towards the ball's centre.
+/// \param arm from the centre to the contact
+[[nodiscard]] double curvature_towards_ball(const Base_surface& surface, const Surface_point& foot, const Vec& arm,
+                                            const Vec& along);
+
 /// How finely the ball's way is sampled; lengths as fractions of the radius.
 struct Sampling {
   double tolerance;         ///< largest distance between polylines of centres, of contacts, and the true curves

@@ -104,8 +104,7 @@ bool is_inverted_between(const Base_surface& surface, const Ball_position& a, co
     const Surface_point at = surface.walk(a.foot[side], way * (static_cast<double>(k) / samples)).end;
     const Vec normal = surface.normal(at);
     const Vec along = (way - way.dot(normal) * normal).stableNormalized();
-    const double towards = normal.dot(a.contact[side] - a.center) < 0 ? -1 : 1;
-    if (towards * surface.normal_curvature(at, along) * radius > 1) return true;
+    if (curvature_towards_ball(surface, at, a.contact[side] - a.center, along) * radius > 1) return true;
   }
   return false;
 }

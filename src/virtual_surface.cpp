@@ -52,9 +52,7 @@ Virtual_surface::Section Virtual_surface::section_at(const Ball_position& positi
   for (int side = 0; side < 2; ++side) {
     const Base_surface& surface = *surfaces[side];
     const Vec across = axis.cross(arm[side]).stableNormalized();
-    const Vec normal = surface.normal(position.foot[side]);
-    const double towards = normal.dot(arm[side]) < 0 ? -1 : 1;  // a convex surface bends towards a ball inside it
-    section.frame.curvature[side] = towards * radius * surface.normal_curvature(position.foot[side], across);
+    section.frame.curvature[side] = radius * curvature_towards_ball(surface, position.foot[side], arm[side], across);
     section.face_normal[side] = surface.frame(position.foot[side].face).face_normal;
   }
   return section;

@@ -111,6 +111,23 @@ TEST(Sharpen, RoundedRimByStitching) { expect_sharp(rounded_cylinder(256, 14, 2)
 TEST(Sharpen, LargerBall) { expect_sharp(rounded_cylinder(256, 14, 2), Blend_mode::stitch, 4.5); }
 TEST(Sharpen, RoundedRimByMapping) { expect_sharp(rounded_cylinder(256, 14, 0.3), Blend_mode::map, 3.6); }
 
+TEST(Sharpen, RadiusThatDoesNotReachBeyondTheRound) {
+  const Rounded body = rounded_cylinder(256, 14, 2);
+  Fillet_options options;
+  options.profile = sharp_profile();
+  for (const double share : {0.7, 0.95, 1.02}) {
+    options.radius = share * round_radius;
+    Blend_mesh out;
+    const Fillet_outcome outcome = unchecked::fillet_edges(body.mesh, {{body.middle, 0, {}}}, out, options);
+    if (!outcome.ok()) continue;
+    double off = 0;  // what is handed out is sharp
+    for (const Face f : outcome.blend_faces)
+      for (const Vertex v : out.vertices_around_face(out.halfedge(f)))
+        off = std::max(off, off_sharp_cylinder(out.point(v)));
+    EXPECT_LT(off, 0.01 * round_radius) << share;
+  }
+}
+
 TEST(Sharpen, UndoesAFillet) {
   // A fillet at the foot of a boss: the blend's own rows hold the curve.
   const Blend_mesh ground = plate(40, 10), boss = cylinder(15, 128, -4.3, 20);
