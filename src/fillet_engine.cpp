@@ -275,11 +275,15 @@ class Engine {
     const Diagnosis laid = lay_rims(job, index, surfaces, snap);
     if (laid.ok()) {
       job.surface.emplace(job.positions, surfaces, radius, job.profile);
-      if (const auto twist = job.surface->find_twist(worst_twist * pi / 180))
-        return refusal(path.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, *twist);
+      if (const auto twist = job.surface->find_twist(worst_twist * pi / 180)) return folded(job, *twist);
       if (!job.profile.is_arc()) job.report.tangency_deg = measure_tangency(*job.surface);
     }
     return laid;
+  }
+
+  /// The refusal of a blend that is folded: by what joins a mended spine, or by rough surfaces.
+  static Diagnosis folded(const Job& job, const Vec& at) {
+    return refusal(job.report.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, at);
   }
 
   Diagnosis lay_rims(Job& job, std::size_t index, const std::array<const Base_surface*, 2>& surfaces,
@@ -314,13 +318,13 @@ class Engine {
     Job& job = jobs_[blame];
     if (!job.first_failure) job.first_failure = diagnosis;
     job.rolled = false;
-    // Another view of the surfaces changes the ball's way, but not the mesh that has to follow it.
     // Slanted attempts would take the vertices of the curve off a profile's corners.
     const std::size_t attempts = job.profile.kinks().empty() ? mapping_attempts : straight_attempts;
     if (diagnosis.status == Status::region_too_coarse && ++job.attempt < attempts) {
       job.rolled = true;
       return first_refusal();
     }
+    // Another view of the surfaces changes the ball's way, but not the mesh that has to follow it.
     const bool mesh_is_to_blame = status_is_of_mapping(diagnosis.status);
     if (mesh_is_to_blame) job.first_failure = diagnosis;
     if (mesh_is_to_blame || ++job.level == levels_of(job)) refuse(job);
@@ -427,8 +431,7 @@ class Engine {
       const Job& job = jobs_[rims[k].blend];
       const Strip strip = tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
       if (const auto fold = find_fold(work, strip, worst_fold)) {
-        result.diagnosis =
-            refusal(job.report.loops > 0 ? Status::radius_exceeds_curvature : Status::no_rolling_ball, *fold);
+        result.diagnosis = folded(job, *fold);
         result.blame = rims[k].blend;
         return;
       }

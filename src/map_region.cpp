@@ -47,8 +47,8 @@ class Mapper {
         between_(between),
         surface_(surface),
         positions_(positions),
-        linkage_{Curve_locator(contacts(positions, 0)), Curve_locator(contacts(positions, 1))},
-        spine_(centers(positions)),
+        linkage_{polyline(positions, left_contact), polyline(positions, right_contact)},
+        spine_(polyline(positions, center)),
         slant_(slants[attempt]),
         ring_(mesh) {}
 
@@ -71,17 +71,16 @@ class Mapper {
   }
 
  private:
-  static std::vector<Vec> contacts(const std::vector<Ball_position>& positions, int side) {
+  /// A polyline through one point of each ball position.
+  template <class Member>
+  static Curve_locator polyline(const std::vector<Ball_position>& positions, const Member& point) {
     std::vector<Vec> points;
-    for (const Ball_position& p : positions) points.push_back(p.contact[side]);
-    return points;
+    for (const Ball_position& p : positions) points.push_back(point(p));
+    return Curve_locator(points);
   }
-
-  static std::vector<Vec> centers(const std::vector<Ball_position>& positions) {
-    std::vector<Vec> points;
-    for (const Ball_position& p : positions) points.push_back(p.center);
-    return points;
-  }
+  static Vec left_contact(const Ball_position& p) { return p.contact[0]; }
+  static Vec right_contact(const Ball_position& p) { return p.contact[1]; }
+  static Vec center(const Ball_position& p) { return p.center; }
 
   Region_mapping refuse(Status status) const {
     Region_mapping refused;
@@ -160,8 +159,7 @@ class Mapper {
   }
 
   [[nodiscard]] double parameter_at(int side, const Vec& p) const {
-    return parameter_on(
-        linkage_[side], [side](const Ball_position& b) { return b.contact[side]; }, p);
+    return parameter_on(linkage_[side], side == 0 ? left_contact : right_contact, p);
   }
 
   bool place_border() {
@@ -349,10 +347,8 @@ class Mapper {
       const Vertex v = origin_[i];
       if (!ring_.is_inner(v)) continue;
       const double u = std::clamp(1 - flat_[i].y(), 0.0, 1.0);
-      const double t = slant_.own_t
-                           ? parameter_on(
-                                 spine_, [](const Ball_position& b) { return b.center; }, to_vec(mesh_.point(v)))
-                           : flat_[i].x() + surface_.start(longest_);
+      const double t =
+          slant_.own_t ? parameter_on(spine_, center, to_vec(mesh_.point(v))) : flat_[i].x() + surface_.start(longest_);
       placed_->put(v, t, u / (u + bias * (1 - u)));
     }
   }

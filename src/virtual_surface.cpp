@@ -131,12 +131,10 @@ Vec Virtual_surface::operator()(double t, double u) const {
 
 std::optional<Vec> Virtual_surface::find_twist(double angle) const {
   constexpr std::size_t columns = 8;
-  const auto on = [&](std::size_t i, std::size_t k) {
-    return on_profile(i % size(), static_cast<double>(k) / static_cast<double>(columns));
-  };
   std::vector<std::array<Vec, columns + 1>> points(size());
   for (std::size_t i = 0; i < size(); ++i)
-    for (std::size_t k = 0; k <= columns; ++k) points[i][k] = on(i, k);
+    for (std::size_t k = 0; k <= columns; ++k)
+      points[i][k] = on_profile(i, static_cast<double>(k) / static_cast<double>(columns));
   const auto normal = [&](std::size_t i, std::size_t k) -> Vec {
     const auto &a = points[i % size()], &b = points[(i + 1) % size()];
     return (b[k + 1] - a[k]).cross(b[k] - a[k + 1]);  // of a quadrilateral, by its diagonals
