@@ -111,33 +111,6 @@ inline Blend_mesh l_bracket(double a, double t, double h) {
   return prism({{t, t}, {t, a}, {0, a}, {0, 0}, {a, 0}, {a, t}}, 0, h);
 }
 
-/// Regular n-gon cylinder about the z-axis with its vertices on radius R; `rings` further circles in between. The caps
-/// are fans about a vertex on the axis.
-inline Blend_mesh cylinder(double radius, int n, double z0, double z1, int rings = 0) {
-  const std::size_t sides = n, circles = rings + 2;
-  std::vector<Point_3> points;
-  for (std::size_t k = 0; k < circles; ++k)
-    for (std::size_t i = 0; i < sides; ++i) {
-      const double angle = 2 * pi * i / sides, z = k + 1 == circles ? z1 : z0 + k * (z1 - z0) / (circles - 1);
-      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-    }
-  const std::size_t bottom = points.size(), top = bottom + 1, last = (circles - 1) * sides;
-  points.emplace_back(0, 0, z0);
-  points.emplace_back(0, 0, z1);
-  std::vector<Corner_indices> triangles;
-  for (std::size_t i = 0; i < sides; ++i) {
-    const std::size_t j = (i + 1) % sides;
-    triangles.push_back({bottom, j, i});
-    triangles.push_back({top, last + i, last + j});
-    for (std::size_t k = 0; k + 1 < circles; ++k) {
-      const std::size_t a = k * sides, b = a + sides;
-      triangles.push_back({a + i, a + j, b + j});
-      triangles.push_back({a + i, b + j, b + i});
-    }
-  }
-  return mesh_of(points, triangles);
-}
-
 /// Body of revolution about the z-axis in n steps: the outline runs from a point on the axis below to one on the axis
 /// above, as (distance from the axis, height).
 inline Blend_mesh turned(const std::vector<std::pair<double, double>>& outline, int n) {
@@ -163,6 +136,16 @@ inline Blend_mesh turned(const std::vector<std::pair<double, double>>& outline, 
     }
   }
   return mesh_of(points, triangles);
+}
+
+/// Regular n-gon cylinder about the z-axis with its vertices on radius R; `rings` further circles in between. The caps
+/// are fans about a vertex on the axis.
+inline Blend_mesh cylinder(double radius, int n, double z0, double z1, int rings = 0) {
+  std::vector<std::pair<double, double>> outline{{0, z0}};
+  for (int k = 0; k <= rings; ++k) outline.emplace_back(radius, z0 + k * (z1 - z0) / (rings + 1));
+  outline.emplace_back(radius, z1);
+  outline.emplace_back(0, z1);
+  return turned(outline, n);
 }
 
 /// Round plate of radius a below z = 0 with a boss of radius R on it, in steps of about `step` in all directions; the

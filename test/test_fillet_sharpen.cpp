@@ -19,31 +19,6 @@ namespace {
 
 constexpr double round_radius = 3;
 
-/// A body of revolution around z from an outline (distance from the axis, height) that starts and ends on the axis, from
-/// bottom to top.
-Blend_mesh revolved(const std::vector<std::pair<double, double>>& outline, int n) {
-  std::vector<Point_3> points{{0, 0, outline.front().second}};
-  for (std::size_t k = 1; k + 1 < outline.size(); ++k)
-    for (int i = 0; i < n; ++i) {
-      const double t = 2 * pi * i / n;
-      points.emplace_back(outline[k].first * std::cos(t), outline[k].first * std::sin(t), outline[k].second);
-    }
-  points.emplace_back(0, 0, outline.back().second);
-  const std::size_t rings = outline.size() - 2, m = static_cast<std::size_t>(n);
-  std::vector<Corner_indices> faces;
-  for (std::size_t i = 0; i < m; ++i) {
-    const std::size_t j = (i + 1) % m, top = 1 + (rings - 1) * m;
-    faces.push_back({0, 1 + j, 1 + i});
-    faces.push_back({points.size() - 1, top + i, top + j});
-    for (std::size_t k = 0; k + 1 < rings; ++k) {
-      const std::size_t a = 1 + k * m + i, b = 1 + k * m + j;
-      faces.push_back({a, b, b + m});
-      faces.push_back({a, b + m, a + m});
-    }
-  }
-  return mesh_of(points, faces);
-}
-
 /// A cylinder of radius 15 and height 20 whose top rim is rounded in `steps` facets (an even number), with rings of faces
 /// `spacing` apart.
 struct Rounded {
@@ -62,7 +37,7 @@ Rounded rounded_cylinder(int n, int steps, double spacing) {
   }
   for (double x = R - r - spacing; x > spacing / 2; x -= spacing) outline.emplace_back(x, top);
   outline.emplace_back(0, top);
-  Rounded result{revolved(outline, n), {}};
+  Rounded result{turned(outline, n), {}};
   const double z = top - r + r * std::sqrt(0.5);
   for (const Edge e : result.mesh.edges())
     if (std::abs(result.mesh.point(result.mesh.vertex(e, 0)).z() - z) < 1e-9 &&
