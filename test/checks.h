@@ -117,6 +117,18 @@ inline bool has_single_fans(const Blend_mesh& mesh) {
   return true;
 }
 
+/// True if every step of the loop is an edge of one triangle in its direction, and every other edge has two triangles.
+inline bool fill_exactly(const std::vector<std::array<Vertex, 3>>& triangles, const std::vector<Vertex>& loop) {
+  std::map<std::pair<Vertex, Vertex>, int> uses;
+  for (const auto& t : triangles)
+    for (int i = 0; i < 3; ++i) ++uses[{t[i], t[(i + 1) % 3]}];
+  for (std::size_t i = 0; i < loop.size(); ++i) ++uses[{loop[(i + 1) % loop.size()], loop[i]}];
+  return !uses.empty() && std::all_of(uses.begin(), uses.end(), [&](const auto& use) {
+    const auto opposite = uses.find({use.first.second, use.first.first});
+    return use.second == 1 && opposite != uses.end() && opposite->second == 1;
+  });
+}
+
 /// Pairs of faces that meet outside of what they share. Every pair with overlapping boxes is tested on its own.
 inline std::vector<std::pair<Face, Face>> crossing_faces_by_brute_force(const Blend_mesh& mesh) {
   using Triangle_3 = Kernel::Triangle_3;
