@@ -11,13 +11,15 @@ namespace cgal_blend {
 namespace {
 
 constexpr int longest_walk = 4096;  // faces; a walk is a Newton step, a few ball radii long
+constexpr double least_departure = 0.02;  // sine of the angle between an edge and the direction that leaves across it
 
 }  // namespace
 
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 Base_surface::Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases)
-    : mesh_(mesh), options_(options), cos_smooth_(std::cos(options.smooth_angle * pi / 180)), creases_(creases) {}
+    : mesh_(mesh), options_(options), cos_smooth_(std::cos(options.smooth_angle * pi / 180)), creases_(creases),
+      first_extension_(static_cast<std::uint32_t>(mesh.number_of_faces() + mesh.number_of_removed_faces())) {}
 
 Vec Base_surface::raw_normal(Face face) const {
   const Halfedge h = mesh_.halfedge(face);
@@ -198,6 +200,93 @@ bool Base_surface::crossable(Halfedge h) const {
   return fan(h) == fan(mesh_.prev(o)) && fan(mesh_.prev(h)) == fan(o);
 }
 
+std::vector<Halfedge> Base_surface::border_chain(Halfedge h, bool forward, const Vec& center, double distance) const {
+  std::vector<Halfedge> chain{h};
+  while (true) {
+    const Vertex end = forward ? mesh_.target(h) : mesh_.source(h);
+    if ((to_vec(mesh_.point(end)) - center).norm() > distance) break;
+    const Halfedge start = h;
+    h = forward ? mesh_.next(h) : mesh_.prev(h);
+    while (crossable(h) && h != mesh_.opposite(start)) h = forward ? mesh_.next(mesh_.opposite(h)) : mesh_.prev(mesh_.opposite(h));
+    if (h == mesh_.opposite(start) || h == chain.front()) break;
+    chain.push_back(h);
+  }
+  return chain;
+}
+
+Base_surface::Side Base_surface::across(const Surface_point& at, int exit) const {
+  if (is_extension(at.face)) return extension_sides_[at.face.idx() - first_extension_][exit];
+  // The side opposite to corner i is the halfedge that ends in corner i + 2.
+  const Halfedge h = frame(at.face).halfedge[(exit + 2) % 3];
+  if (!crossable(h)) {
+    const auto found = extension_beyond_.find(h.idx());
+    return found != extension_beyond_.end() ? found->second : Side{Blend_mesh::null_face(), -1, h};
+  }
+  const Halfedge o = mesh_.opposite(h);
+  const Frame& g = frame(mesh_.face(o));
+  const int end = g.halfedge[0] == o ? 0 : g.halfedge[1] == o ? 1 : 2;  // o ends where h starts
+  return {mesh_.face(o), (end + 1) % 3, Halfedge()};
+}
+
+Face Base_surface::add_extension_face(const std::array<Vec, 3>& corner, const std::array<Vec, 3>& normal,
+                                      const Vec& outward) {
+  Frame f;
+  f.corner = corner;
+  f.normal = normal;
+  const Vec cross = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  const Vec unit = cross.stableNormalized();
+  for (int i = 0; i < 3; ++i)
+    f.gradient[i] = unit.cross(corner[(i + 2) % 3] - corner[(i + 1) % 3]) / cross.stableNorm();
+  f.face_normal = unit.dot(outward) < 0 ? Vec(-unit) : unit;
+  const Face face(first_extension_ + static_cast<std::uint32_t>(extension_sides_.size()));
+  frames_.emplace(face.idx(), f);
+  extension_sides_.emplace_back();
+  return face;
+}
+
+void Base_surface::extend(const std::vector<Halfedge>& chain, const Vec& direction, double length) {
+  struct Quad {
+    Vertex source, target;
+    Face low, high;  // low has the edge; high the far side and, like low, the diagonal from source to far target
+  };
+  std::vector<Quad> quads;
+  for (const Halfedge h : chain) {
+    if (extension_beyond_.count(h.idx())) continue;
+    const Frame& f = frame(mesh_.face(h));
+    const int t = f.halfedge[0] == h ? 0 : f.halfedge[1] == h ? 1 : 2, s = (t + 2) % 3;
+    const Vec outward = -f.gradient[(t + 1) % 3].stableNormalized();
+    if (direction.dot(outward) < least_departure) continue;
+    std::array<Vec, 2> far;
+    for (const int end : {0, 1}) {
+      const int k = end == 0 ? s : t;
+      const Vec tangent = direction - direction.dot(f.normal[k]) * f.normal[k];
+      far[end] = f.corner[k] + length * tangent.stableNormalized();
+    }
+    // The face lies left of its halfedge, so beyond it the corners run target, source, far source, far target.
+    Quad quad{mesh_.source(h), mesh_.target(h), Face(), Face()};
+    quad.low = add_extension_face({f.corner[t], f.corner[s], far[1]}, {f.normal[t], f.normal[s], f.normal[t]},
+                                  f.face_normal);
+    quad.high = add_extension_face({f.corner[s], far[0], far[1]}, {f.normal[s], f.normal[s], f.normal[t]},
+                                   f.face_normal);
+    const auto sides = [&](Face face) -> std::array<Side, 3>& {
+      return extension_sides_[face.idx() - first_extension_];
+    };
+    sides(quad.low)[0] = {quad.high, 1, Halfedge()};
+    sides(quad.low)[1] = sides(quad.high)[2] = sides(quad.high)[0] = {Blend_mesh::null_face(), -1, h};
+    sides(quad.low)[2] = {mesh_.face(h), (t + 1) % 3, Halfedge()};
+    sides(quad.high)[1] = {quad.low, 0, Halfedge()};
+    extension_beyond_[h.idx()] = {quad.low, 2, Halfedge()};
+    quads.push_back(quad);
+  }
+  // Neighbours share the side from a vertex to its far vertex: low has that of its target, high that of its source.
+  for (const Quad& a : quads)
+    for (const Quad& b : quads)
+      if (a.target == b.source && a.low != b.low) {
+        extension_sides_[a.low.idx() - first_extension_][1] = {b.high, 2, Halfedge()};
+        extension_sides_[b.high.idx() - first_extension_][2] = {a.low, 1, Halfedge()};
+      }
+}
+
 Base_surface::Walk Base_surface::walk(Surface_point from, Vec displacement) const {
   for (int step = 0; step < longest_walk; ++step) {
     const Frame& f = frame(from.face);
@@ -214,23 +303,17 @@ Base_surface::Walk Base_surface::walk(Surface_point from, Vec displacement) cons
     from.bary /= from.bary.sum();
     if (exit < 0) return {from, Halfedge()};
     from.bary[exit] = 0;
-    // The side opposite to corner i is the halfedge that ends in corner i + 2.
-    const Halfedge h = f.halfedge[(exit + 2) % 3];
-    if (!crossable(h)) return {from, h};
-    const Halfedge o = mesh_.opposite(h);
-    const Frame& g = frame(mesh_.face(o));
+    const Side beyond = across(from, exit);
+    if (beyond.face == Blend_mesh::null_face()) return {from, beyond.blocked};
+    const Frame& g = frame(beyond.face);
     const Vec side = (f.corner[(exit + 2) % 3] - f.corner[(exit + 1) % 3]).stableNormalized();
     const Vec rest = (1 - part) * displacement;
     const double along = rest.dot(side);
-    const double across = (rest - along * side).norm();
-    Surface_point to{mesh_.face(o), Eigen::Vector3d::Zero()};
-    for (int i = 0; i < 3; ++i) {
-      if (g.halfedge[i] == o) {  // o ends where h starts
-        to.bary[i] = from.bary[(exit + 1) % 3];
-        to.bary[(i + 2) % 3] = from.bary[(exit + 2) % 3];
-        displacement = along * side + across * g.gradient[(i + 1) % 3].stableNormalized();
-      }
-    }
+    const double ahead = (rest - along * side).norm();
+    Surface_point to{beyond.face, Eigen::Vector3d::Zero()};
+    to.bary[(beyond.opposite + 1) % 3] = from.bary[(exit + 2) % 3];
+    to.bary[(beyond.opposite + 2) % 3] = from.bary[(exit + 1) % 3];
+    displacement = along * side + ahead * g.gradient[beyond.opposite].stableNormalized();
     from = to;
   }
   return {from, Halfedge()};

@@ -62,6 +62,16 @@ class Base_surface {
     Eigen::Matrix3d derivative;
   };
 
+  /// Continues the surface beyond a chain of its sharp edges, ruled along `direction` as projected into the tangent
+  /// plane of each vertex, normals unchanged: there walks go on, over faces that the mesh does not have.
+  /// \param chain halfedges of the surface's own side, each ending where the one before it starts or starting where it
+  /// ends; edges that the direction does not leave across are skipped
+  /// \param length of the extension, length units
+  void extend(const std::vector<Halfedge>& chain, const Vec& direction, double length);
+
+  /// True for a face beyond a sharp edge, see `extend`.
+  [[nodiscard]] bool is_extension(Face face) const { return face.idx() >= first_extension_; }
+
   /// End of a walk; `blocked` is the sharp edge at which it stopped short.
   struct Walk {
     Surface_point end;
@@ -86,6 +96,10 @@ class Base_surface {
   /// True if the interpolated normals agree on both sides of the edge.
   [[nodiscard]] bool crossable(Halfedge h) const;
 
+  /// The border of the smooth surface from halfedge h of it on, forward or backward, while its vertices are nearer to
+  /// `center` than `distance`; includes h.
+  [[nodiscard]] std::vector<Halfedge> border_chain(Halfedge h, bool forward, const Vec& center, double distance) const;
+
   /// Identifies the smooth fan of faces around target(h) that face(h) belongs to.
   [[nodiscard]] Halfedge fan(Halfedge h) const;
 
@@ -99,6 +113,15 @@ class Base_surface {
   [[nodiscard]] std::vector<Halfedge> fan_corners(Halfedge h) const;
   [[nodiscard]] Vec raw_normal(Face face) const;
 
+  /// A side of a face and that of its neighbour; `blocked` is a sharp edge without one.
+  struct Side {
+    Face face;
+    int opposite = -1;  ///< index of the neighbour's corner that faces the side
+    Halfedge blocked;
+  };
+  [[nodiscard]] Side across(const Surface_point& at, int exit) const;
+  Face add_extension_face(const std::array<Vec, 3>& corner, const std::array<Vec, 3>& normal, const Vec& outward);
+
   const Blend_mesh& mesh_;
   Options options_;
   double cos_smooth_;
@@ -107,6 +130,9 @@ class Base_surface {
   mutable std::unordered_map<std::uint32_t, Halfedge> fans_;
   mutable std::unordered_map<std::uint32_t, bool> long_creases_;
   mutable std::unordered_map<std::uint64_t, Vec> normals_;
+  std::uint32_t first_extension_;
+  std::vector<std::array<Side, 3>> extension_sides_;         // per extension face
+  std::unordered_map<std::uint32_t, Side> extension_beyond_;  // per sharp halfedge of the surface's side
 };
 
 }  // namespace cgal_blend

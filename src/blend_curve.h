@@ -11,12 +11,14 @@
 
 namespace cgal_blend {
 
-/// A closed blending curve as a polyline; edge i runs from points[i] to points[i + 1]. Side 0 is left of the curve,
-/// side 1 right of it, seen from outside the solid.
+/// A blending curve as a polyline; edge i runs from points[i] to points[i + 1], or to points[0] at the end of a closed
+/// curve. Side 0 is left of the curve, side 1 right of it, seen from outside the solid.
 struct Blend_curve {
-  std::vector<Vec> points;
+  bool closed = true;
+  std::vector<Vec> points;  ///< one per edge; one more if open
   std::vector<std::array<Face, 2>> faces;  ///< per edge: the base face on either side
   bool convex = false;                     ///< true: the ball rolls inside the solid
+  std::array<double, 2> overhang{};        ///< open: how far the ball rolls on beyond first and last point
 
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == points.size() ? 0 : i + 1; }
 };

@@ -6,24 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <unordered_map>
 
 namespace cgal_blend {
 
 namespace {
-
-/// Vertices of a rim from one ball position to the next, both included.
-std::vector<Vertex> rim_between(const Rim& rim, std::size_t i, std::size_t j) {
-  std::vector<Vertex> chain;
-  const std::size_t n = rim.vertices.size(), last = rim.path.station_of[j];
-  std::size_t k = rim.path.station_of[i];
-  chain.push_back(rim.vertices[k]);
-  while (k != last) {
-    k = (k + 1) % n;
-    chain.push_back(rim.vertices[k]);
-  }
-  return chain;
-}
 
 /// Triangulates between two chains that face each other, `low` to the right of `high` seen along them from above;
 /// always takes the shorter of the two possible diagonals.
@@ -46,25 +34,98 @@ void zip(const Blend_mesh& mesh, const std::vector<Vertex>& low, const std::vect
   }
 }
 
+/// A row of a strip: its vertices in order, and which of them stands in which profile.
+struct Row {
+  std::vector<Vertex> chain;
+  std::map<std::size_t, std::size_t> at;  ///< profile to index into the chain; one past the last profile closes a strip
+};
+
+Row rim_row(const Rim& rim, std::size_t profiles) {
+  Row row;
+  row.chain = rim.vertices;
+  if (!rim.path.closed) {
+    for (std::size_t i = rim.first; i <= rim.last && i < profiles; ++i) row.at[i] = rim.path.station_of[i];
+    return row;
+  }
+  const std::size_t start = rim.path.station_of[0], n = row.chain.size();
+  std::rotate(row.chain.begin(), row.chain.begin() + static_cast<std::ptrdiff_t>(start), row.chain.end());
+  row.chain.push_back(row.chain.front());
+  for (std::size_t i = 0; i < profiles; ++i) row.at[i] = (rim.path.station_of[i] + n - start) % n;
+  // Stations of the first profile may be those of the last ones too, once round.
+  std::size_t past = profiles;
+  while (past > 1 && row.at[past - 1] == 0) --past;
+  for (std::size_t i = past; past > 1 && i < profiles; ++i) row.at[i] = n;
+  row.at[profiles] = n;
+  return row;
+}
+
+Row inner_row(const std::vector<Vertex>& inner, std::size_t first, const std::array<const Strip_border*, 2>& ends,
+              std::size_t k) {
+  Row row;
+  if (ends[0]) row.chain.push_back(ends[0]->hit[k]);
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    row.at[first + i] = row.chain.size();
+    row.chain.push_back(inner[i]);
+  }
+  if (ends[1]) {
+    row.chain.push_back(ends[1]->hit[k]);
+  } else {
+    row.at[first + inner.size()] = row.chain.size();
+    row.chain.push_back(inner.front());
+  }
+  return row;
+}
+
+/// Fills the space between two rows, from one profile that both have to the next.
+void zip_rows(const Blend_mesh& mesh, const Row& low, const Row& high, const std::vector<Vertex>& start,
+              const std::vector<Vertex>& finish, std::vector<Triangle>& out) {
+  std::vector<std::array<std::size_t, 2>> stops{{0, 0}};
+  for (const auto& [profile, index] : low.at) {
+    const auto other = high.at.find(profile);
+    if (other != high.at.end() && (index != stops.back()[0] || other->second != stops.back()[1]))
+      stops.push_back({index, other->second});
+  }
+  const std::array<std::size_t, 2> end{low.chain.size() - 1, high.chain.size() - 1};
+  if (stops.back() != end) stops.push_back(end);
+  for (std::size_t s = 0; s + 1 < stops.size(); ++s) {
+    const auto part = [&](const Row& row, int k) {
+      return std::vector<Vertex>(row.chain.begin() + static_cast<std::ptrdiff_t>(stops[s][k]),
+                                 row.chain.begin() + static_cast<std::ptrdiff_t>(stops[s + 1][k]) + 1);
+    };
+    std::vector<Vertex> below = part(low, 0), above = part(high, 1);
+    if (s == 0) below.insert(below.begin(), start.rbegin(), start.rend());
+    if (s + 2 == stops.size()) below.insert(below.end(), finish.begin(), finish.end());
+    if (below.front() == above.front() && below.size() > 1) below.erase(below.begin());
+    if (below.back() == above.back() && below.size() > 1) below.pop_back();
+    zip(mesh, below, above, out);
+  }
+}
+
 }  // namespace
 
 Strip tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface, const std::array<const Rim*, 2>& rims,
-                       double chord_tolerance) {
-  const std::size_t n = surface.size();
-  const std::vector<double> rows = surface.rows(chord_tolerance);
-  std::vector<std::vector<Vertex>> inner(n);  // per profile, what lies between its ends
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 1; k + 1 < rows.size(); ++k)
-      inner[i].push_back(mesh.add_vertex(to_point(surface.on_profile(i, rows[k]))));
-  Strip strip{{}, inner.front().front(), rows.size() - 2};
-  std::vector<Triangle>& triangles = strip.triangles;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t j = (i + 1) % n;
-    zip(mesh, rim_between(*rims[0], i, j), {inner[i].front(), inner[j].front()}, triangles);
-    for (std::size_t k = 0; k + 1 < inner[i].size(); ++k)
-      zip(mesh, {inner[i][k], inner[j][k]}, {inner[i][k + 1], inner[j][k + 1]}, triangles);
-    zip(mesh, {inner[i].back(), inner[j].back()}, rim_between(*rims[1], i, j), triangles);
+                       const std::vector<double>& rows, const std::array<const Strip_border*, 2>& ends) {
+  Strip strip;
+  strip.first_inner = Vertex(static_cast<std::uint32_t>(mesh.number_of_vertices() + mesh.number_of_removed_vertices()));
+  std::vector<Row> row(rows.size());
+  row.front() = rim_row(*rims[0], surface.size());
+  row.back() = rim_row(*rims[1], surface.size());
+  std::vector<std::vector<Vertex>> inner(rows.size());
+  std::vector<std::size_t> first(rows.size(), 0), past(rows.size(), surface.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (ends[0]) first[k] = ends[0]->last[k];
+    if (ends[1]) past[k] = ends[1]->last[k] + 1;
   }
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    for (std::size_t k = 1; k + 1 < rows.size(); ++k)
+      if (first[k] <= i && i < past[k]) {
+        inner[k].push_back(mesh.add_vertex(to_point(surface.on_profile(i, rows[k]))));
+        strip.profile_of.push_back(i);
+      }
+  for (std::size_t k = 1; k + 1 < rows.size(); ++k) row[k] = inner_row(inner[k], first[k], ends, k);
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k)
+    zip_rows(mesh, row[k], row[k + 1], ends[0] ? ends[0]->between[k] : std::vector<Vertex>(),
+             ends[1] ? ends[1]->between[k] : std::vector<Vertex>(), strip.triangles);
   return strip;
 }
 
@@ -72,7 +133,7 @@ std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double 
   const double least = std::cos(angle * pi / 180);
   const std::vector<Triangle>& triangles = strip.triangles;
   const auto is_inner = [&](Vertex v) { return v >= strip.first_inner; };
-  const auto profile = [&](Vertex v) { return (v.idx() - strip.first_inner.idx()) / strip.inner_per_profile; };
+  const auto profile = [&](Vertex v) { return strip.profile_of[v.idx() - strip.first_inner.idx()]; };
   const auto runs_across = [&](Vertex a, Vertex b) { return !is_inner(a) || !is_inner(b) || profile(a) == profile(b); };
   const auto key = [](Vertex a, Vertex b) { return (static_cast<std::uint64_t>(a.idx()) << 32) | b.idx(); };
   std::vector<Vec> normals;
@@ -98,7 +159,7 @@ Strip_quality measure_rims(const std::vector<Ball_position>& positions, const st
   Strip_quality quality;
   for (int side = 0; side < 2; ++side) {
     const Rim& rim = *rims[side];
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t i = rim.first; i < std::min(positions.size(), rim.last); ++i) {
       const std::size_t j = (i + 1) % positions.size(), last = rim.path.station_of[j];
       if (positions[i].mended || positions[j].mended) continue;
       const Vec &a = positions[i].center, &b = positions[j].center;

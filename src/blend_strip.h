@@ -16,15 +16,25 @@ namespace cgal_blend {
 /// Triangles of a blend between its rims.
 struct Strip {
   std::vector<Triangle> triangles;
-  Vertex first_inner;  ///< inner vertices follow each other profile by profile
-  std::size_t inner_per_profile = 0;
+  Vertex first_inner;                 ///< inner vertices follow each other
+  std::vector<std::size_t> profile_of;  ///< per inner vertex
 };
 
-/// Tessellates the blend between two rims: one profile per ball position, cut into the surface's rows; between the
-/// first and last row and the rims, triangles to every rim vertex. Adds the inner vertices to the mesh.
+/// The border of an open strip at one end, see `Strip_end`.
+struct Strip_border {
+  std::vector<std::size_t> last;              ///< per row: the outermost profile that it runs through
+  std::vector<Vertex> hit;                    ///< per row: the vertex that it ends at
+  std::vector<std::vector<Vertex>> between;   ///< per row: further vertices from its end to that of the next one
+};
+
+/// Tessellates the blend between two rims: one profile per ball position, cut into rows; between the first and last row
+/// and the rims, triangles to every rim vertex. Adds the inner vertices to the mesh.
 /// \param rims left and right rim of the curve, with their vertices
+/// \param rows parameters of the profiles, see `Virtual_surface::rows`
+/// \param ends of an open strip: where its rows begin and end; their first and last vertices are those of the rims
 [[nodiscard]] Strip tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface,
-                                     const std::array<const Rim*, 2>& rims, double chord_tolerance);
+                                     const std::array<const Rim*, 2>& rims, const std::vector<double>& rows,
+                                     const std::array<const Strip_border*, 2>& ends = {});
 
 /// A vertex at which a strip is folded along its curve, if there is one: triangles on both sides of an edge that runs
 /// across the strip turn against each other by more than `angle` degrees. How a profile bends does not matter.

@@ -3,7 +3,10 @@
 
 #include "blend_curve.h"
 #include "blend_strip.h"
+#include "corner_patch.h"
+#include "fill_loop.h"
 #include "map_region.h"
+#include "open_branch.h"
 #include "refusal.h"
 #include "rolling_ball.h"
 #include "sharp_mesh.h"
@@ -38,6 +41,9 @@ struct Smoothing {
 };
 constexpr std::array<Smoothing, 6> smoothings{
     {{0, 0, 0, 1}, {0, 2, 3, 1}, {50, 4, 6, 1.5}, {60, 6, 12, 2}, {75, 8, 24, 3}, {75, 12, 48, 4}}};
+
+// Angles at open branches, degrees, as far as the options allow: where they end counts, so the strict view comes first.
+constexpr std::array<double, 2> open_angles{25, 180};
 
 // Views that are tried in the search for the largest radius, and its steps: downward, then between the last two.
 constexpr std::size_t quick_levels = 4;
@@ -95,6 +101,8 @@ struct Job {
   std::vector<Ball_position> positions;
   std::array<Rim, 2> rims;
   std::optional<Virtual_surface> surface;
+  std::optional<Open_branch> open;
+  std::array<Vertex, 2> ends;  // of an open branch
 };
 
 struct Assembly {
@@ -138,26 +146,88 @@ class Engine {
 
   Diagnosis prepare(const std::vector<Edge_blend>& blends) {
     for (const Edge_blend& blend : blends) creases_.insert(blend.edges.begin(), blend.edges.end());
-    for (const Edge_blend& blend : blends) {
+    for (const Edge_blend& blend : joined(blends)) {
       const double radius = blend.radius != 0 ? blend.radius : options_.radius;
       if (!(radius > 0) || !std::isfinite(radius)) return {Status::invalid_parameter, "radius", {}, {}};
-      const Curve_network<Blend_mesh> network = make_curve_network(*body_.mesh, blend.edges);
+      const Curve_network<Blend_mesh> network = chain(blend.edges, radius);
       for (const Branch<Blend_mesh>& branch : network.branches) {
         Job job;
         job.halfedges = branch.halfedges;
         job.profile = blend.profile.value_or(options_.profile);
         job.report.edges = branch.halfedges.size();
         job.report.radius = radius;
-        job.report.closed = branch.closed();
-        job.report.diagnosis = branch.closed() ? make_curve(job) : node_refusal(network, branch);
+        job.report.closed = job.curve.closed = branch.closed();
+        if (!branch.closed())
+          job.ends = {network.nodes[branch.first_node].vertex, network.nodes[branch.last_node].vertex};
+        job.report.diagnosis = branch.closed() || body_.own_surface ? make_curve(job) : node_refusal(network, branch);
         jobs_.push_back(std::move(job));
       }
     }
     if (jobs_.empty()) return {Status::no_edges_selected, "", {}, {}};
+    for (std::size_t i = 0; i < jobs_.size(); ++i)
+      if (!jobs_[i].report.closed)
+        for (const int end : {0, 1}) nodes_[jobs_[i].ends[end]].push_back({i, end});
+    for (Job& job : jobs_)
+      if (!job.report.closed && job.report.diagnosis.ok()) job.report.diagnosis = refuse_open(job);
     return first_refusal();
   }
 
-  Diagnosis node_refusal(const Curve_network<Blend_mesh>& network, const Branch<Blend_mesh>& branch) const {
+  /// Blends that meet and want the same are one, so that their curves run on into each other.
+  [[nodiscard]] std::vector<Edge_blend> joined(const std::vector<Edge_blend>& blends) const {
+    std::vector<Edge_blend> result;
+    if (!body_.own_surface) return blends;
+    std::vector<std::unordered_set<Vertex>> vertices;
+    for (const Edge_blend& blend : blends) {
+      std::unordered_set<Vertex> own;
+      for (const Edge e : blend.edges)
+        for (const Halfedge h : {body_.mesh->halfedge(e, 0), body_.mesh->halfedge(e, 1)}) own.insert(body_.mesh->target(h));
+      std::size_t into = result.size();
+      for (std::size_t k = 0; k < result.size() && into == result.size(); ++k) {
+        if (result[k].radius != blend.radius || result[k].profile || blend.profile) continue;
+        if (std::any_of(own.begin(), own.end(), [&](Vertex v) { return vertices[k].count(v) != 0; })) into = k;
+      }
+      if (into == result.size()) {
+        result.push_back(blend);
+        vertices.push_back(std::move(own));
+      } else {
+        result[into].edges.insert(result[into].edges.end(), blend.edges.begin(), blend.edges.end());
+        vertices[into].insert(own.begin(), own.end());
+      }
+    }
+    return result;
+  }
+
+  /// Branches between corners: where the faces on one side meet in a sharp edge, two edges are no one curve.
+  [[nodiscard]] Curve_network<Blend_mesh> chain(const std::vector<Edge>& edges, double radius) const {
+    if (!body_.own_surface) return make_curve_network(*body_.mesh, edges);
+    const Base_surface surface(*body_.mesh, surface_options(smoothings[0], radius), &creases_);
+    const Blend_mesh& mesh = *body_.mesh;
+    return make_curve_network(mesh, edges, [&](Halfedge in, Halfedge out) {
+      // Left of `in` and of `out`, and right of them.
+      return surface.fan(in) == surface.fan(mesh.prev(out)) &&
+             surface.fan(mesh.prev(mesh.opposite(in))) == surface.fan(mesh.opposite(out));
+    });
+  }
+
+  [[nodiscard]] Base_surface::Options surface_options(const Smoothing& how, double radius) const {
+    return {std::max(options_.smooth_angle, how.smooth_angle), how.shortest_crease * radius, how.passes, false, false};
+  }
+
+  /// What no open branch can be, wherever it ends.
+  [[nodiscard]] Diagnosis refuse_open(const Job& job) const {
+    const Vec at = to_vec(body_.mesh->point(job.ends[0]));
+    Diagnosis diagnosis;
+    if (options_.mode == Blend_mode::map) {
+      diagnosis = refusal(Status::open_branch, at);
+      diagnosis.detail = "the map mode needs closed curves";
+    } else if (job.profile.is_sharp()) {
+      diagnosis = refusal(Status::open_branch, at);
+      diagnosis.detail = "sharpening needs closed curves";
+    }
+    return diagnosis;
+  }
+
+  [[nodiscard]] Diagnosis node_refusal(const Curve_network<Blend_mesh>& network, const Branch<Blend_mesh>& branch) const {
     for (const std::size_t n : {branch.first_node, branch.last_node})
       if (!network.nodes[n].is_end())
         return refusal(Status::corner, to_vec(body_.mesh->point(network.nodes[n].vertex)));
@@ -180,6 +250,7 @@ class Engine {
       (bend > 0 ? ridge : groove) += std::abs(bend);
       if ((bend > 0) != (ridge > groove)) turn = at;
     }
+    if (!job.curve.closed) job.curve.points.push_back(to_vec(mesh.point(mesh.target(job.halfedges.back()))));
     if (!(ridge + groove > 0)) return refusal(Status::edge_is_smooth, job.curve.points.front());
     if (std::min(ridge, groove) > rounding_share * (ridge + groove)) return refusal(Status::mixed_convexity, turn);
     job.curve.convex = job.report.convex = ridge > groove;
@@ -206,6 +277,7 @@ class Engine {
     std::optional<Vec> nearest;
     for (std::size_t i = 0; i < job.curve.points.size(); ++i)
       for (int side = 0; side < 2; ++side) {
+        if (!job.curve.closed && i + 2 >= job.curve.points.size()) continue;
         const Base_surface& surface = base_surface(job, side);
         const Vec& place = job.curve.points[job.curve.next(i)];
         const Face before = job.curve.faces[i][side], after = job.curve.faces[job.curve.next(i)][side];
@@ -235,7 +307,9 @@ class Engine {
   // Rolling, and what to do about failures.
 
   /// A smoother view would blur the round that is to be sharpened into the surfaces beyond it.
-  [[nodiscard]] std::size_t levels_of(const Job& job) const { return job.profile.is_sharp() ? 1 : levels_; }
+  [[nodiscard]] std::size_t levels_of(const Job& job) const {
+    return job.profile.is_sharp() ? 1 : job.curve.closed ? levels_ : open_angles.size();
+  }
 
   [[nodiscard]] bool is_cancelled() const { return options_.progress && !options_.progress(progress_); }
 
@@ -259,6 +333,7 @@ class Engine {
   }
 
   Diagnosis roll(Job& job, std::size_t index) {
+    if (!job.curve.closed) return roll_to_ends(job, index);
     const std::array<const Base_surface*, 2> surfaces{&base_surface(job, 0), &base_surface(job, 1)};
     const double radius = job.report.radius;
     Sampling steps = sampling(options_.chord_tolerance);
@@ -273,12 +348,87 @@ class Engine {
     job.positions = std::move(path.positions);
     job.report.loops = path.loops;
     const Diagnosis laid = lay_rims(job, index, surfaces, snap);
-    if (laid.ok()) {
-      job.surface.emplace(job.positions, surfaces, radius, job.profile);
-      if (const auto twist = job.surface->find_twist(worst_twist * pi / 180)) return folded(job, *twist);
-      if (!job.profile.is_arc()) job.report.tangency_deg = measure_tangency(*job.surface);
+    if (!laid.ok()) return laid;
+    job.surface.emplace(job.positions, surfaces, radius, job.profile);
+    return judge(job);
+  }
+
+  Diagnosis roll_to_ends(Job& job, std::size_t index) {
+    const double radius = job.report.radius;
+    Base_surface::Options options = surface_options(smoothings[0], radius);
+    options.smooth_angle = std::min(options_.smooth_angle, open_angles[job.level]);
+    Open_branch& branch = job.open.emplace();
+    branch.surface = std::make_unique<Base_surface>(*body_.mesh, options, &creases_);
+    for (const int end : {0, 1}) {
+      const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
+      const std::vector<std::pair<std::size_t, int>>& node = nodes_.at(job.ends[end]);
+      if (node.size() == 1) {
+        const End_view view = view_end(*branch.surface, into, end, job.curve.convex, radius);
+        if (!view.diagnosis.ok()) return view.diagnosis;
+        branch.ends[end] = view.end;
+        continue;
+      }
+      Blend_corner* corner = corner_at(job.ends[end], *branch.surface);
+      if (!corner) return refusal(Status::corner, to_vec(body_.mesh->point(job.ends[end])));
+      Branch_end& e = branch.ends[end];
+      e.kind = Branch_end::Kind::ball;
+      e.end = end;
+      e.into = into;
+      e.direction = (to_vec(body_.mesh->point(body_.mesh->target(into))) -
+                     to_vec(body_.mesh->point(body_.mesh->source(into)))).normalized();
+      branch.corner[end] = corner;
     }
-    return laid;
+    Sampling steps = sampling(options_.chord_tolerance);
+    steps.samples = options_.samples;
+    steps.chord_ratio = options_.chord_ratio;
+    Open_roll roll =
+        roll_open(branch, job.curve, radius, job.profile, options_.chord_tolerance, steps, open_snap(radius));
+    if (!roll.diagnosis.ok()) return roll.diagnosis;
+    job.positions = std::move(roll.positions);
+    job.surface = std::move(roll.surface);
+    job.rims = std::move(roll.rims);
+    for (Rim& rim : job.rims) rim.blend = index;
+    return judge(job);
+  }
+
+  [[nodiscard]] double open_snap(double radius) const {
+    return radius * std::min(snap_of_radius, snap_of_facet * sampling(options_.chord_tolerance).finest) / 4;
+  }
+
+  /// The ball at rest where several branches meet, if all that meets there is to be blended alike.
+  Blend_corner* corner_at(Vertex v, const Base_surface& surface) {
+    const auto known = corners_.find(v);
+    if (known != corners_.end()) return known->second.branches.empty() ? nullptr : &known->second;
+    Blend_corner& corner = corners_[v];
+    const Blend_mesh& mesh = *body_.mesh;
+    const auto& node = nodes_.at(v);
+    const Job& first = jobs_[node.front().first];
+    for (const auto& [i, end] : node)
+      if (!jobs_[i].report.diagnosis.ok() || jobs_[i].curve.convex != first.curve.convex ||
+          jobs_[i].report.radius != first.report.radius)
+        return nullptr;
+    const auto into = [&](std::pair<std::size_t, int> branch) {
+      const Job& job = jobs_[branch.first];
+      return branch.second == 1 ? job.halfedges.back() : mesh.opposite(job.halfedges.front());
+    };
+    std::vector<std::vector<Halfedge>> sectors;
+    std::vector<std::pair<std::size_t, int>> order;
+    Halfedge h = into(node.front());
+    do {
+      const auto branch = std::find_if(node.begin(), node.end(), [&](const auto& b) { return into(b) == h; });
+      if (branch == node.end()) return nullptr;  // an edge that stays sharp
+      order.push_back(*branch);
+      sectors.emplace_back();
+      do {
+        h = mesh.prev(mesh.opposite(h));
+        sectors.back().push_back(h);
+      } while (surface.crossable(h));
+    } while (h != into(node.front()));
+    const double radius = first.report.radius;
+    auto ball = find_corner_ball(surface, sectors, first.curve.convex ? -radius : radius);
+    if (!ball) return nullptr;
+    corner = {v, std::move(order), std::move(sectors), std::move(*ball), {}};
+    return &corner;
   }
 
   /// The refusal of a blend that is folded: by what joins a mended spine, or by rough surfaces.
@@ -304,12 +454,19 @@ class Engine {
       job.positions.erase(job.positions.begin() + static_cast<std::ptrdiff_t>(stuck));
       side = 0;  // the rims share their positions
     }
+    return {};
+  }
+
+  /// What comes too far off the ball, or leaves the surfaces at an angle, is no blend.
+  Diagnosis judge(Job& job) {
     const Strip_quality quality = measure_rims(job.positions, {&job.rims[0], &job.rims[1]}, job.report.radius);
     job.report.radius_error = quality.radius_error;
     job.report.tangency_deg = quality.tangency_deg;
     if (quality.radius_error > worst_radius_error || quality.tangency_deg > worst_tangency ||
         quality.mean_tangency_deg > worst_mean_tangency)
       return refusal(Status::no_rolling_ball, quality.worst);
+    if (const auto twist = job.surface->find_twist(worst_twist * pi / 180)) return folded(job, *twist);
+    if (!job.profile.is_arc()) job.report.tangency_deg = measure_tangency(*job.surface);
     return {};
   }
 
@@ -401,18 +558,36 @@ class Engine {
     Blend_mesh work = *body_.mesh;
     aside_.copy += watch.milliseconds();
     std::unordered_set<Edge> curves;
-    std::vector<Rim> rims;
+    std::vector<Rim> rims, cuts;
+    std::set<std::pair<Vertex, Vertex>> filled;
+    std::map<std::size_t, std::array<End_assembly, 2>> ends;
+    add_corner_vertices(work);
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
-      if (!jobs_[i].rolled) continue;
-      for (const Halfedge h : jobs_[i].halfedges) curves.insert(work.edge(h));
-      for (Rim rim : jobs_[i].rims) {
+      Job& job = jobs_[i];
+      if (!job.rolled) continue;
+      result.blame = i;
+      for (const Halfedge h : job.halfedges) curves.insert(work.edge(h));
+      for (const int side : {0, 1}) {
+        Rim rim = job.rims[side];
+        if (job.open) share_corner_vertices(*job.open, side, rim);
         result.diagnosis = add_rim_vertices(work, body_.cells, rim);
-        result.blame = i;
         if (!result.diagnosis.ok()) return result;
         rims.push_back(std::move(rim));
       }
+      if (!job.open) continue;
+      const std::array<const Rim*, 2> own{&rims[rims.size() - 2], &rims[rims.size() - 1]};
+      for (const int end : {0, 1}) {
+        End_assembly& parts = ends[i][end];
+        result.diagnosis = assemble_end(work, body_.cells, *job.open, end, job.curve.convex, own,
+                                        open_snap(job.report.radius), parts);
+        if (!result.diagnosis.ok()) return result;
+        cuts.insert(cuts.end(), parts.cuts.begin(), parts.cuts.end());
+        filled.insert(parts.filled.begin(), parts.filled.end());
+      }
     }
-    Trimming trimming = trim(work, body_.cells, rims, curves);
+    std::vector<Rim> all = rims;
+    all.insert(all.end(), cuts.begin(), cuts.end());
+    Trimming trimming = trim(work, body_.cells, all, curves, filled);
     if (!trimming.diagnosis.ok()) {
       result.diagnosis = trimming.diagnosis;
       result.blame = nearest_job(to_vec(*trimming.diagnosis.point));
@@ -421,15 +596,56 @@ class Engine {
     if (options_.mode == Blend_mode::map)
       map(work, trimming, result);
     else
-      stitch(work, rims, trimming, result);
+      stitch(work, rims, ends, trimming, result);
     return result;
   }
 
-  void stitch(Blend_mesh& work, const std::vector<Rim>& rims, Trimming& trimming, Assembly& result) {
+  /// Where blends meet in a corner their rims meet, in the contacts of the ball at rest there.
+  void add_corner_vertices(Blend_mesh& work) {
+    for (auto& [v, corner] : corners_) {
+      corner.contact.assign(corner.branches.size(), Blend_mesh::null_vertex());
+      for (std::size_t k = 0; k < corner.branches.size(); ++k) {
+        const auto [i, end] = corner.branches[k];
+        if (!jobs_[i].rolled) continue;
+        const Open_branch& branch = *jobs_[i].open;
+        const Station& s = branch.strip_ends[end].rim[1 - branch.ends[end].left()];
+        corner.contact[k] =
+            s.kind == Station::Kind::vertex ? body_.cells.vertex(0, s.vertex) : work.add_vertex(to_point(s.point));
+      }
+    }
+  }
+
+  void share_corner_vertices(const Open_branch& branch, int side, Rim& rim) const {
+    rim.vertices.assign(rim.path.stations.size(), Blend_mesh::null_vertex());
+    for (const int end : {0, 1}) {
+      const Blend_corner* corner = branch.corner[end];
+      if (!corner) continue;
+      const std::size_t k = place_in_corner(*corner, branch.ends[end]), n = corner->branches.size();
+      const Vertex v = corner->contact[side == branch.ends[end].left() ? (k + n - 1) % n : k];
+      (end == 0 ? rim.vertices.front() : rim.vertices.back()) = v;
+    }
+  }
+
+  [[nodiscard]] std::size_t place_in_corner(const Blend_corner& corner, const Branch_end& end) const {
+    std::size_t k = 0;
+    const auto into = [&](std::pair<std::size_t, int> b) {
+      const Job& job = jobs_[b.first];
+      return b.second == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
+    };
+    while (into(corner.branches[k]) != end.into) ++k;
+    return k;
+  }
+
+  void stitch(Blend_mesh& work, const std::vector<Rim>& rims,
+              const std::map<std::size_t, std::array<End_assembly, 2>>& ends, Trimming& trimming, Assembly& result) {
     std::vector<Triangle> triangles = std::move(trimming.remnants);
     for (std::size_t k = 0; k < rims.size(); k += 2) {
       const Job& job = jobs_[rims[k].blend];
-      const Strip strip = tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, options_.chord_tolerance);
+      std::array<const Strip_border*, 2> borders{};
+      if (job.open)
+        for (const int end : {0, 1}) borders[end] = &ends.at(rims[k].blend)[end].border;
+      const std::vector<double> rows = job.open ? job.open->rows : job.surface->rows(options_.chord_tolerance);
+      const Strip strip = tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, rows, borders);
       if (const auto fold = find_fold(work, strip, worst_fold)) {
         result.diagnosis = folded(job, *fold);
         result.blame = rims[k].blend;
@@ -437,6 +653,18 @@ class Engine {
       }
       triangles.insert(triangles.end(), strip.triangles.begin(), strip.triangles.end());
     }
+    for (const auto& [i, both] : ends)
+      for (const End_assembly& end : both) {
+        if (end.fill.empty()) continue;
+        const auto fill = fill_loop(work, end.fill_normal, end.fill);
+        if (!fill) {
+          result.diagnosis = refusal(Status::blends_overlap, to_vec(work.point(end.fill.front())));
+          result.blame = i;
+          return;
+        }
+        triangles.insert(triangles.end(), fill->begin(), fill->end());
+      }
+    if (!fill_corners(work, ends, triangles, result)) return;
     const Replacement replacement = replace_faces(work, trimming.removed, triangles);
     if (replacement.conflict) {
       const Vec at = to_vec(work.point(*replacement.conflict));
@@ -450,6 +678,31 @@ class Engine {
     const std::size_t first = result.mesh.number_of_faces() - replacement.faces.size();
     for (std::size_t k = trimming.remnant_cells.size(); k < replacement.faces.size(); ++k)
       result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(first + k)));
+  }
+
+  /// The part of the ball at rest that is left between the strips.
+  bool fill_corners(Blend_mesh& work, const std::map<std::size_t, std::array<End_assembly, 2>>& ends,
+                    std::vector<Triangle>& triangles, Assembly& result) {
+    for (const auto& [v, corner] : corners_) {
+      std::vector<Vertex> loop;
+      for (const auto& [i, end] : corner.branches) {
+        if (!jobs_[i].rolled) break;
+        std::vector<Vertex> arc = ends.at(i)[end].border.hit;
+        if (jobs_[i].open->ends[end].left() == 1) std::reverse(arc.begin(), arc.end());
+        loop.insert(loop.end(), arc.begin(), arc.end() - 1);
+      }
+      if (loop.empty()) continue;
+      const std::size_t i = corner.branches.front().first;
+      const double facet = sampling(options_.chord_tolerance).finest * jobs_[i].report.radius;
+      const std::vector<Triangle> patch = tessellate_corner(work, corner.ball.center, loop, facet);
+      if (patch.empty()) {
+        result.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
+        result.blame = i;
+        return false;
+      }
+      triangles.insert(triangles.end(), patch.begin(), patch.end());
+    }
+    return true;
   }
 
   /// Moves the vertices that stitching would remove onto the blends.
@@ -545,6 +798,8 @@ class Engine {
   std::unordered_set<Edge> creases_;
   std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
+  std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
+  std::map<Vertex, Blend_corner> corners_;                           // without branches: no ball is at rest there
   Stage_times aside_;  // what is no part of blending, over all tries
 };
 

@@ -18,6 +18,7 @@ namespace {
 constexpr double widest_gap = 3;  // of the coarsest step: farther apart, positions are not joined
 constexpr int deepest_split = 12;
 constexpr std::size_t fewest_positions = 6;
+constexpr std::size_t fewest_open_positions = 2;
 constexpr std::size_t most_loops = 64;
 constexpr double least_opening = 0.2;  // radii between contacts beyond a round
 constexpr double round_bend = 0.5;     // curvature times radius: more belongs to a round
@@ -59,23 +60,29 @@ std::optional<Vec> contact_on_round(const std::vector<Ball_position>& positions,
 
 class Roller {
  public:
-  Roller(const Ball_solver& solver, const Sampling& sampling) : solver_(solver), sampling_(sampling) {}
+  Roller(const Ball_solver& solver, const Sampling& sampling, bool closed = true)
+      : solver_(solver), sampling_(sampling), closed_(closed) {}
 
-  Ball_path roll(const std::vector<Ball_guess>& guesses, const Curve_locator& locator) {
+  /// \param locator of a closed curve, which the ball must go round once
+  Ball_path roll(const std::vector<Ball_guess>& guesses, const Curve_locator* locator) {
     blocked_.reset();
     Ball_path path;
     std::vector<Ball_position> positions = solve_all(guesses);
+    if (!closed_) drop_strays(positions, guesses);
     if (const auto bad = cut_loops(positions, path.loops)) return *bad;
     drop_backward(positions);
-    if (positions.size() < fewest_positions) return failed(guesses.front().point);
+    if (positions.size() < (closed_ ? fewest_positions : fewest_open_positions)) return failed(guesses.front().point);
     if (const auto gap = find_gap(positions)) return failed(*gap);
-    std::vector<Vec> centers;
-    for (const Ball_position& p : positions) centers.push_back(p.center);
-    if (turns_along(centers, locator) != 1) return failed(positions.front().center);
+    if (locator) {
+      std::vector<Vec> centers;
+      for (const Ball_position& p : positions) centers.push_back(p.center);
+      if (turns_along(centers, *locator) != 1) return failed(positions.front().center);
+    }
     blocked_.reset();  // bad guesses may run into an edge where the ball does not; between good positions it counts
     for (std::size_t i = 0; i < positions.size(); ++i) {
       path.positions.push_back(positions[i]);
-      split(positions[i], positions[(i + 1) % positions.size()], 0, path.positions);
+      if (closed_ || i + 1 < positions.size())
+        split(positions[i], positions[(i + 1) % positions.size()], 0, path.positions);
     }
     if (blocked_) return failed(*blocked_);
     drop_backward(path.positions);
@@ -108,6 +115,7 @@ class Roller {
 
   /// Mends a spine that crosses itself; returns the refusal if that is not possible or not wanted.
   std::optional<Ball_path> cut_loops(std::vector<Ball_position>& positions, std::size_t& loops) const {
+    if (!closed_) return std::nullopt;
     const std::array<const Base_surface*, 2> surfaces{&solver_.surface(0), &solver_.surface(1)};
     const double radius = solver_.radius();
     for (std::size_t round = 0; round < most_loops; ++round) {
@@ -128,6 +136,25 @@ class Roller {
     return std::nullopt;
   }
 
+  /// Beyond the ends of a curve guesses may have no solution, or lead astray; what hangs together counts.
+  void drop_strays(std::vector<Ball_position>& positions, const std::vector<Ball_guess>& guesses) const {
+    if (positions.empty()) return;
+    const Vec& middle = guesses[guesses.size() / 2].point;
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if ((positions[i].center - middle).norm() < (positions[nearest].center - middle).norm()) nearest = i;
+    const double limit = widest_gap * sampling_.coarsest * solver_.radius();
+    const auto joined = [&](std::size_t i) {
+      return (positions[i + 1].center - positions[i].center).norm() <= limit &&
+             goes_forward(positions[i], positions[i + 1]);
+    };
+    std::size_t first = nearest, last = nearest;
+    while (first > 0 && joined(first - 1)) --first;
+    while (last + 1 < positions.size() && joined(last)) ++last;
+    positions = std::vector<Ball_position>(positions.begin() + static_cast<std::ptrdiff_t>(first),
+                                           positions.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  }
+
   void drop_backward(std::vector<Ball_position>& positions) const {
     for (bool changed = true; changed && positions.size() >= fewest_positions;) {
       changed = false;
@@ -138,7 +165,7 @@ class Roller {
         else
           changed = true;
       }
-      while (kept.size() >= fewest_positions && !goes_forward(kept.back(), kept.front())) {
+      while (closed_ && kept.size() >= fewest_positions && !goes_forward(kept.back(), kept.front())) {
         kept.pop_back();
         changed = true;
       }
@@ -149,8 +176,8 @@ class Roller {
   std::optional<Vec> find_gap(const std::vector<Ball_position>& positions) const {
     const double across = (positions.front().center - positions[positions.size() / 2].center).norm();
     const double step = sampling_.coarsest * solver_.radius();
-    const double limit = std::min(widest_gap * step, std::max(step, across / 2));
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    const double limit = closed_ ? std::min(widest_gap * step, std::max(step, across / 2)) : widest_gap * step;
+    for (std::size_t i = 0; i + (closed_ ? 0 : 1) < positions.size(); ++i) {
       const Ball_position& a = positions[i];
       const Ball_position& b = positions[(i + 1) % positions.size()];
       if ((b.center - a.center).norm() > limit) return (a.center + b.center) / 2;
@@ -199,6 +226,7 @@ class Roller {
 
   const Ball_solver& solver_;
   const Sampling& sampling_;
+  bool closed_;
   std::optional<Vec> blocked_, failure_;
 };
 
@@ -207,6 +235,16 @@ double mean_step(const std::vector<Ball_guess>& guesses) {
   for (std::size_t i = 0; i < guesses.size(); ++i)
     length += (guesses[(i + 1) % guesses.size()].point - guesses[i].point).norm();
   return length / static_cast<double>(guesses.size());
+}
+
+/// Loops of an open spine are not mended, but found by the folds of the blend.
+Ball_path roll_open(const Ball_solver& solver, const Blend_curve& curve, const Sampling& sampling) {
+  const double radius = solver.radius();
+  const std::vector<Ball_guess> guesses =
+      guess_from_wedges(solver, curve, {sampling.coarsest * radius, sampling.samples, curve.overhang});
+  Sampling steps = sampling;
+  if (sampling.samples > 0) steps.coarsest = mean_step(guesses) / radius;
+  return Roller(solver, steps, false).roll(guesses, nullptr);
 }
 
 }  // namespace
@@ -225,12 +263,13 @@ Sampling sampling(double chord_tolerance) {
 Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
                     double radius, const Sampling& sampling) {
   const Ball_solver solver(surfaces, curve.convex ? -radius : radius);
+  if (!curve.closed) return roll_open(solver, curve, sampling);
   const Curve_locator locator(curve.points);
   const Guess_spacing spacing{sampling.coarsest * radius, sampling.samples};
   const auto roll = [&](const std::vector<Ball_guess>& guesses) {
     Sampling steps = sampling;
     if (sampling.samples > 0) steps.coarsest = mean_step(guesses) / radius;
-    return Roller(solver, steps).roll(guesses, locator);
+    return Roller(solver, steps).roll(guesses, &locator);
   };
   if (kind == Curve_kind::round) {
     Ball_path path = roll(guess_beyond_round(solver, curve, spacing));

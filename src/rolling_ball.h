@@ -39,7 +39,7 @@ struct Sampling {
 /// Returns the sampling that belongs to a chord tolerance: steps from one to several facets of the arc.
 [[nodiscard]] Sampling sampling(double chord_tolerance);
 
-/// Ball positions along a closed spine, in the direction of the blending curve, or why there are none.
+/// Ball positions along a spine, in the direction of the blending curve, or why there are none.
 struct Ball_path {
   Diagnosis diagnosis;
   std::vector<Ball_position> positions;
@@ -52,7 +52,8 @@ enum class Curve_kind {
   round    ///< the middle of a round; the base surfaces are those beyond it
 };
 
-/// Rolls a ball along a closed blending curve.
+/// Rolls a ball along a blending curve; along an open one on beyond its ends, where the base surfaces are extended
+/// (`Base_surface::extend`), as far as the curve's overhang.
 ///
 /// The intersection of the offset patches is the first guess, with exact topology; where offsets that cross themselves
 /// leave no closed loop along the curve, the planar wedge at each point of the curve is. Each position is then the

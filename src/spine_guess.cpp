@@ -18,6 +18,8 @@ constexpr double patch_stretch = 1.25;
 constexpr double patch_margin = 0.5;  // of the radius
 constexpr double patch_limit = 12;     // of the radius
 constexpr std::size_t fewest_guesses = 16;
+constexpr std::size_t fewest_open_guesses = 4;
+constexpr double overhang_step = 0.5;  // radii
 constexpr double beyond_round = 1.2;  // radii from the middle of a round; at right angles its end is at most 0.79 away
 
 Surface_point foot_beside(const Ball_solver& solver, const Blend_curve& curve, std::size_t edge, int side,
@@ -66,21 +68,22 @@ std::vector<Face> collect_patch(const Base_surface& surface, const Blend_curve& 
   return patch;
 }
 
-/// The closed polyline at arc length s, modulo its length.
+/// A polyline at arc length s: modulo its length if it is closed, and straight on beyond its ends if it is not.
 struct Arc {
   const std::vector<Vec>& points;
+  bool closed;
   std::vector<double> start{0};
 
-  explicit Arc(const std::vector<Vec>& closed) : points(closed) {
-    for (std::size_t i = 0; i < points.size(); ++i)
+  explicit Arc(const std::vector<Vec>& polyline, bool is_closed = true) : points(polyline), closed(is_closed) {
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
       start.push_back(start.back() + (points[(i + 1) % points.size()] - points[i]).norm());
   }
   [[nodiscard]] double length() const { return start.back(); }
   [[nodiscard]] std::size_t segment(double s) const {
     const auto upper = std::upper_bound(start.begin(), start.end(), wrap(s));
-    return std::min<std::size_t>(points.size(), static_cast<std::size_t>(upper - start.begin())) - 1;
+    return std::clamp<std::size_t>(static_cast<std::size_t>(upper - start.begin()), 1, start.size() - 1) - 1;
   }
-  [[nodiscard]] double wrap(double s) const { return s - length() * std::floor(s / length()); }
+  [[nodiscard]] double wrap(double s) const { return closed ? s - length() * std::floor(s / length()) : s; }
   [[nodiscard]] Vec operator()(double s) const {
     const std::size_t i = segment(s);
     const double size = start[i + 1] - start[i];
@@ -96,8 +99,8 @@ struct Arc {
   }
 };
 
-std::size_t guess_count(double length, const Guess_spacing& spacing) {
-  return std::max(fewest_guesses,
+std::size_t guess_count(double length, const Guess_spacing& spacing, std::size_t fewest = fewest_guesses) {
+  return std::max(fewest,
                   spacing.count > 0 ? spacing.count : static_cast<std::size_t>(std::ceil(length / spacing.step)));
 }
 
@@ -163,12 +166,21 @@ std::vector<Ball_guess> guess_from_offsets(const Ball_solver& solver, const Blen
 
 std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend_curve& curve,
                                           const Guess_spacing& wanted) {
-  const Arc arc(curve.points);
-  const std::size_t n = guess_count(arc.length(), wanted);
+  const Arc arc(curve.points, curve.closed);
+  const std::size_t fewest = curve.closed ? fewest_guesses : fewest_open_guesses;
+  const std::size_t n = guess_count(arc.length(), wanted, fewest);
   const double spacing = arc.length() / static_cast<double>(n);
+  const double window = std::min(solver.radius(), arc.length() / 8);
+  std::vector<double> stations;
+  if (!curve.closed)
+    for (double s = overhang_step * solver.radius(); s < wanted.overhang[0]; s += overhang_step * solver.radius())
+      stations.insert(stations.begin(), -s);
+  for (std::size_t i = 0; i < n + (curve.closed ? 0 : 1); ++i) stations.push_back(spacing * static_cast<double>(i));
+  if (!curve.closed)
+    for (double s = overhang_step * solver.radius(); s < wanted.overhang[1]; s += overhang_step * solver.radius())
+      stations.push_back(arc.length() + s);
   std::vector<Ball_guess> guesses;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double s = spacing * static_cast<double>(i);
+  for (const double s : stations) {
     const std::size_t edge = arc.segment(s);
     const Vec at = arc(s);
     Ball_guess guess;
@@ -177,10 +189,15 @@ std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend
       guess.foot[side] = foot_beside(solver, curve, edge, side, at);
       normal[side] = solver.surface(side).normal(guess.foot[side]);
     }
-    const double window = std::min(solver.radius(), arc.length() / 8);
+    const Vec to_center = solver.distance() * (normal[0] + normal[1]) / std::max(0.05, 1 + normal[0].dot(normal[1]));
     guess.direction = (arc.mean(s + spacing, window) - arc.mean(s - spacing, window)).normalized();
-    guess.point = arc.mean(s, window) +
-                  solver.distance() * (normal[0] + normal[1]) / std::max(0.05, 1 + normal[0].dot(normal[1]));
+    guess.point = arc.mean(s, window) + to_center;
+    if (!curve.closed && (s < 0 || s > arc.length()))
+      for (int side = 0; side < 2; ++side) {  // the way to the contact leads round the end of the curve
+        const Base_surface& surface = solver.surface(side);
+        guess.foot[side] = surface.walk(guess.foot[side], to_center - solver.distance() * normal[side]).end;
+        guess.foot[side] = surface.walk(guess.foot[side], s < 0 ? Vec(at - arc(0)) : Vec(at - arc(arc.length()))).end;
+      }
     guesses.push_back(guess);
   }
   return guesses;

@@ -13,6 +13,7 @@ namespace cgal_blend {
 struct Guess_spacing {
   double step;            ///< about so far apart, length units
   std::size_t count = 0;  ///< so many, whatever the step; 0: as the step asks for
+  std::array<double, 2> overhang{};  ///< open curves: how far to go on beyond the ends
 };
 
 /// First guesses of ball positions along a closed curve, evenly spaced, in the curve's direction: samples of the
@@ -20,7 +21,7 @@ struct Guess_spacing {
 [[nodiscard]] std::vector<Ball_guess> guess_from_offsets(const Ball_solver& solver, const Blend_curve& curve,
                                                          const Curve_locator& locator, const Guess_spacing& wanted);
 
-/// The same from the curve alone: at each sample the ball in the planar wedge of the two surfaces there.
+/// The same from the curve alone, which may be open: at each sample the ball in the planar wedge of the two surfaces there.
 [[nodiscard]] std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend_curve& curve,
                                                         const Guess_spacing& wanted);
 

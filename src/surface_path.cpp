@@ -40,7 +40,8 @@ bool same_place(const Draft& a, const Draft& b, double snap) {
 
 class Path_builder {
  public:
-  Path_builder(const Base_surface& surface, double snap) : surface_(surface), mesh_(surface.mesh()), snap_(snap) {}
+  Path_builder(const Base_surface& surface, double snap, bool cross_creases = false)
+      : surface_(surface), mesh_(surface.mesh()), snap_(snap), cross_creases_(cross_creases) {}
 
   /// Appends the edges crossed between two stations; false if the section misses the second. A station on an edge or a
   /// vertex is in all faces there: where the path runs along edges, rounding decides on which side of them.
@@ -76,7 +77,7 @@ class Path_builder {
       nearest = h;
       foot = p;
     }
-    if (nearest == Blend_mesh::null_halfedge() || !surface_.crossable(nearest)) return draft;
+    if (nearest == Blend_mesh::null_halfedge() || !may_cross(nearest)) return draft;
     Draft moved = on_edge(mesh_, nearest, foot);
     moved.point_index = draft.point_index;
     return snapped(moved);
@@ -84,7 +85,16 @@ class Path_builder {
 
   [[nodiscard]] double snap() const { return snap_; }
 
+  /// The first sharp edge on the way from a point inside towards another.
+  [[nodiscard]] std::optional<Draft> leave(Face face, const Vec& a, const Vec& b, const Vec& normal) const {
+    std::vector<Draft> crossed;
+    if (!trace_from(face, {}, a, b, normal, crossed)) return std::nullopt;
+    return crossed.back();
+  }
+
  private:
+  [[nodiscard]] bool may_cross(Halfedge h) const { return cross_creases_ || surface_.crossable(h); }
+
   /// The smooth faces that a station belongs to, first the one that it was found in.
   [[nodiscard]] std::vector<Face> faces_at(const Draft& draft) const {
     std::vector<Face> faces{draft.face};
@@ -96,7 +106,7 @@ class Path_builder {
       while (mesh_.target(corner) != draft.vertex) corner = mesh_.next(corner);
       const Halfedge fan = surface_.fan(corner);
       for (const Halfedge h : mesh_.halfedges_around_target(corner))
-        if (h != corner && surface_.fan(h) == fan) faces.push_back(mesh_.face(h));
+        if (h != corner && (cross_creases_ || surface_.fan(h) == fan)) faces.push_back(mesh_.face(h));
     }
     return faces;
   }
@@ -129,7 +139,11 @@ class Path_builder {
         at = x;
         progress = ahead;
       }
-      if (exit == Blend_mesh::null_halfedge() || !surface_.crossable(exit)) return false;
+      if (exit == Blend_mesh::null_halfedge()) return false;
+      if (!may_cross(exit)) {
+        if (ends.empty()) out.push_back(on_edge(mesh_, exit, at));
+        return ends.empty();
+      }
       if (progress > 1.5 * distance || progress < -0.5 * distance) return false;
       out.push_back(on_edge(mesh_, exit, at));
       entered = mesh_.opposite(exit);
@@ -146,12 +160,13 @@ class Path_builder {
   const Base_surface& surface_;
   const Blend_mesh& mesh_;
   double snap_;
+  bool cross_creases_;
 };
 
 /// Merges neighbours that fell together and takes out spikes a-b-a; the given points move along.
-void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap) {
+void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap, bool closed = true) {
   // owner[k]: index into path of the station that stands for given point k.
-  for (bool changed = true; changed && path.size() > 3;) {
+  for (bool changed = true; changed && path.size() > (closed ? 3 : 2);) {
     changed = false;
     const std::size_t n = path.size();
     std::vector<std::size_t> into(n);
@@ -159,9 +174,9 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
     std::vector<bool> gone(n, false);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
-      if (gone[i] || gone[before]) continue;
+      if (gone[i] || gone[before] || (!closed && i == 0)) continue;
       const bool repeated = same_place(path[before], path[i], snap);
-      const bool spike = !gone[after] && after != before && path[before].kind != Station::Kind::face &&
+      const bool spike = (closed || i + 1 < n) && !gone[after] && after != before && path[before].kind != Station::Kind::face &&
                          same_place(path[before], path[after], snap);
       if (!repeated && !spike) continue;
       if (repeated && path[i].point_index != no_point && path[before].point_index == no_point &&
@@ -211,6 +226,56 @@ std::optional<Surface_path> closed_path(const Base_surface& surface, const std::
   for (const Draft& draft : drafts) path.stations.push_back(draft);
   path.station_of = std::move(owner);
   return path;
+}
+
+std::optional<Surface_path> open_path(const Base_surface& surface, const std::vector<Station>& points,
+                                      const Path_rules& rules, std::size_t& stuck) {
+  const Path_builder builder(surface, rules.snap, rules.cross_creases);
+  std::vector<Draft> given, drafts;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Draft draft{points[i], i};
+    const bool is_end = i == 0 || i + 1 == points.size();
+    given.push_back(is_end ? draft : builder.snapped(draft));
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    drafts.push_back(given[i]);
+    if (i + 1 == points.size()) break;
+    const Vec normal = surface.frame(given[i].face).face_normal + surface.frame(given[i + 1].face).face_normal;
+    if (!builder.trace(given[i], given[i + 1], normal, drafts)) {
+      stuck = i + 1;
+      return std::nullopt;
+    }
+  }
+  std::vector<std::size_t> owner(points.size());
+  for (std::size_t i = 0; i < drafts.size(); ++i) {
+    if (drafts[i].point_index != no_point) owner[drafts[i].point_index] = i;
+    if (i > 0 && i + 1 < drafts.size()) drafts[i] = builder.snapped(drafts[i]);
+  }
+  const Draft last = drafts.back();
+  tidy(drafts, owner, rules.snap, false);
+  static_cast<Station&>(drafts.back()) = last;  // merged or not, ends stay where they are
+  Surface_path path;
+  path.closed = false;
+  for (const Draft& draft : drafts) path.stations.push_back(draft);
+  path.station_of = std::move(owner);
+  return path;
+}
+
+std::optional<Station> leaving_station(const Base_surface& surface, const Surface_point& inside, const Vec& outside,
+                                       double snap) {
+  const Path_builder builder(surface, snap);
+  const auto draft = builder.leave(inside.face, surface.position(inside), outside, surface.normal(inside));
+  if (!draft) return std::nullopt;
+  return builder.snapped(*draft);
+}
+
+Station station_at(const Base_surface& surface, const Surface_point& at, double snap) {
+  return Path_builder(surface, snap)
+      .snapped({{Station::Kind::face, at.face, Halfedge(), Vertex(), surface.position(at)}, no_point});
+}
+
+Station station_at(const Base_surface& surface, Face face, Vertex vertex) {
+  return {Station::Kind::vertex, face, Halfedge(), vertex, to_vec(surface.mesh().point(vertex))};
 }
 
 }  // namespace cgal_blend

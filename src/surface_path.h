@@ -20,8 +20,9 @@ struct Station {
   Vec point;
 };
 
-/// A closed polyline on a mesh, each step within one closed face.
+/// A polyline on a mesh, each step within one closed face.
 struct Surface_path {
+  bool closed = true;
   std::vector<Station> stations;
   std::vector<std::size_t> station_of;  ///< for each given point its station; non-decreasing
 };
@@ -32,6 +33,24 @@ struct Surface_path {
 [[nodiscard]] std::optional<Surface_path> closed_path(const Base_surface& surface,
                                                       const std::vector<Surface_point>& points, double snap,
                                                       std::size_t& stuck);
+
+/// What an open path may do.
+struct Path_rules {
+  double snap = 0;            ///< as for closed paths
+  bool cross_creases = false;  ///< sharp edges are no barrier
+};
+
+/// Joins points to an open polyline. Its first and last points may be given as stations, on a vertex or an edge.
+[[nodiscard]] std::optional<Surface_path> open_path(const Base_surface& surface, const std::vector<Station>& points,
+                                                    const Path_rules& rules, std::size_t& stuck);
+
+/// Where the section from a point of the surface to one of its extension (`Base_surface::extend`) leaves the mesh.
+[[nodiscard]] std::optional<Station> leaving_station(const Base_surface& surface, const Surface_point& inside,
+                                                     const Vec& outside, double snap);
+
+/// A point of a surface as a station, on a vertex or an edge if one is nearer than `snap`.
+[[nodiscard]] Station station_at(const Base_surface& surface, const Surface_point& at, double snap);
+[[nodiscard]] Station station_at(const Base_surface& surface, Face face, Vertex vertex);
 
 }  // namespace cgal_blend
 

@@ -32,8 +32,8 @@ std::vector<Face> faces_at(const Blend_mesh& mesh, const Station& s) {
 class Trimmer {
  public:
   Trimmer(const Blend_mesh& mesh, const Cell_map& cells, const std::vector<Rim>& rims,
-          const std::unordered_set<Edge>& curves)
-      : mesh_(mesh), cells_(cells), rims_(rims), curves_(curves) {}
+          const std::unordered_set<Edge>& curves, const std::set<Directed>& filled)
+      : mesh_(mesh), cells_(cells), rims_(rims), curves_(curves), filled_(filled) {}
 
   Trimming run() {
     for (const Rim& rim : rims_)
@@ -72,7 +72,7 @@ class Trimmer {
   bool assign_segments(const Rim& rim) {
     const Blend_mesh& base = rim.surface->mesh();
     const std::size_t n = rim.path.stations.size();
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i + (rim.path.closed ? 0 : 1) < n; ++i) {
       const std::size_t j = (i + 1) % n;
       const Station &a = rim.path.stations[i], &b = rim.path.stations[j];
       bool found = false;
@@ -204,7 +204,7 @@ class Trimmer {
       if (work.segments.empty()) continue;
       for (const Halfedge h : boundary(cell))
         for (const Directed& step : steps_of(h))
-          if (!is_kept(step)) drop(mesh_.face(mesh_.opposite(h)));
+          if (!is_kept(step) && !filled_.count(step)) drop(mesh_.face(mesh_.opposite(h)));
     }
     while (!stack.empty()) {
       const Face f = stack.back();
@@ -212,6 +212,10 @@ class Trimmer {
       result_.removed.push_back(f);
       for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f))) {
         const Halfedge o = mesh_.opposite(h);
+        const std::vector<Directed> steps = steps_of(h);
+        const auto fills = std::count_if(steps.begin(), steps.end(), [&](const Directed& s) { return filled_.count(s); });
+        if (fills == static_cast<std::ptrdiff_t>(steps.size())) continue;
+        if (fills > 0) return refuse(Status::blends_overlap, to_vec(mesh_.point(mesh_.source(h))));
         drop(mesh_.face(o));
         for (const Directed& step : steps_of(o))
           if (is_kept(step))  // would leave a hole
@@ -225,8 +229,9 @@ class Trimmer {
   const Cell_map& cells_;
   const std::vector<Rim>& rims_;
   const std::unordered_set<Edge>& curves_;
+  const std::set<Directed>& filled_;
   std::map<Cell, Work> work_;
-  std::map<Halfedge, std::multimap<double, Vertex>> on_edge_;
+  std::map<Halfedge, std::set<std::pair<double, Vertex>>> on_edge_;  // curves that end there share their vertex
   std::unordered_set<Face> touched_, dropped_;
   std::set<Directed> kept_steps_;
   Trimming result_;
@@ -235,18 +240,20 @@ class Trimmer {
 }  // namespace
 
 Diagnosis add_rim_vertices(Blend_mesh& mesh, const Cell_map& cells, Rim& rim) {
-  for (const Station& s : rim.path.stations) {
-    const Vertex v =
-        s.kind == Station::Kind::vertex ? cells.vertex(rim.operand, s.vertex) : mesh.add_vertex(to_point(s.point));
+  rim.vertices.resize(rim.path.stations.size(), Blend_mesh::null_vertex());
+  for (std::size_t i = 0; i < rim.vertices.size(); ++i) {
+    const Station& s = rim.path.stations[i];
+    Vertex& v = rim.vertices[i];
+    if (v != Blend_mesh::null_vertex()) continue;
+    v = s.kind == Station::Kind::vertex ? cells.vertex(rim.operand, s.vertex) : mesh.add_vertex(to_point(s.point));
     if (v == Blend_mesh::null_vertex()) return refusal(Status::no_rolling_ball, s.point);
-    rim.vertices.push_back(v);
   }
   return {};
 }
 
 Trimming trim(const Blend_mesh& mesh, const Cell_map& cells, const std::vector<Rim>& rims,
-              const std::unordered_set<Edge>& curves) {
-  return Trimmer(mesh, cells, rims, curves).run();
+              const std::unordered_set<Edge>& curves, const std::set<Directed>& filled) {
+  return Trimmer(mesh, cells, rims, curves, filled).run();
 }
 
 }  // namespace cgal_blend

@@ -9,19 +9,24 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace cgal_blend {
 
-/// A linkage curve to cut along, as a closed polyline on its base surface.
+/// A curve to cut along, as a polyline on its base surface: a linkage curve, or a part of the border of a blend's end.
+/// Open ones join to closed curves by shared vertices.
 struct Rim {
   const Base_surface* surface = nullptr;
   int operand = 0;
   Surface_path path;
   bool keep_left = true;          ///< what is kept lies left of the path seen from outside, else right of it
   std::size_t blend = 0;          ///< index of the blend, for reports
-  std::vector<Vertex> vertices;   ///< per station; filled by `add_rim_vertices`
+  std::vector<Vertex> vertices;   ///< per station; those that are null or missing are filled by `add_rim_vertices`
+  std::size_t first = 0;          ///< open linkage curves: ball positions that it has as stations, from here ...
+  std::size_t last = static_cast<std::size_t>(-1);  ///< ... to here
 };
 
 /// What cutting along the rims takes from a mesh and gives back; the mesh itself is changed by `replace_faces`.
@@ -38,8 +43,10 @@ struct Trimming {
 /// Cuts the faces along the rims (constrained Delaunay triangulation of each cell in its plane), and finds by flooding
 /// what lies between rims and curves. Kept remnants of a face lie in its plane.
 /// \param curves edges of the mesh that the blends replace
+/// \param filled directed steps of borders of what goes where new triangles take its place: nothing goes beyond them
 [[nodiscard]] Trimming trim(const Blend_mesh& mesh, const Cell_map& cells, const std::vector<Rim>& rims,
-                            const std::unordered_set<Edge>& curves);
+                            const std::unordered_set<Edge>& curves,
+                            const std::set<std::pair<Vertex, Vertex>>& filled = {});
 
 }  // namespace cgal_blend
 

@@ -23,13 +23,14 @@ constexpr double end_step = 1e-6;  // of the parameter, for tangents at the ends
 }  // namespace
 
 Virtual_surface::Virtual_surface(const std::vector<Ball_position>& positions,
-                                 const std::array<const Base_surface*, 2>& surfaces, double radius, Profile profile)
-    : profile_(std::move(profile)), start_{0} {
+                                 const std::array<const Base_surface*, 2>& surfaces, double radius, Profile profile,
+                                 bool closed)
+    : profile_(std::move(profile)), closed_(closed), start_{0} {
   for (std::size_t i = 0; i < positions.size(); ++i) {
     sections_.push_back(section_at(positions[i], surfaces, radius));
     if (sections_[i].frame.angle > sections_[widest_].frame.angle) widest_ = i;
-    const Vec step = positions[(i + 1) % positions.size()].center - positions[i].center;
-    start_.push_back(start_.back() + step.norm());
+    if (!closed_ && i + 1 == positions.size()) break;
+    start_.push_back(start_.back() + (positions[(i + 1) % positions.size()].center - positions[i].center).norm());
   }
   make_even();
 }
@@ -142,7 +143,7 @@ std::optional<Vec> Virtual_surface::find_twist(double angle) const {
   const auto step = [&](std::size_t i) -> Vec {
     return sections_[(i + 1) % size()].centre - sections_[i % size()].centre;
   };
-  for (std::size_t i = 0; i < size(); ++i) {
+  for (std::size_t i = 0; i + (closed_ ? 0 : 2) < size(); ++i) {
     const double turn = angle_between(step(i), step(i + 1));
     for (std::size_t k = 0; k < columns; ++k)
       if (angle_between(normal(i, k), normal(i + 1, k)) > angle + turn) return points[(i + 1) % size()][k];

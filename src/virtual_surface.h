@@ -13,14 +13,14 @@
 
 namespace cgal_blend {
 
-/// The blend as a closed sequence of profiles, ruled between neighbours: S(t, u) = (1 - s) T_i(u) + s T_{i+1}(u).
+/// The blend as a sequence of profiles, closed or open, ruled between neighbours: S(t, u) = (1 - s) T_i(u) + s T_{i+1}(u).
 /// t is the chord length along the spine, u in [0, 1] runs from the left contact to the right one, in proportion to the
 /// length of the profile.
 /// Source: Liu et al. (2005), section 4, Eq. 1.
 class Virtual_surface {
  public:
   Virtual_surface(const std::vector<Ball_position>& positions, const std::array<const Base_surface*, 2>& surfaces,
-                  double radius, Profile profile);
+                  double radius, Profile profile, bool closed = true);
 
   [[nodiscard]] std::size_t size() const { return sections_.size(); }
   [[nodiscard]] double length() const { return start_.back(); }
@@ -64,6 +64,7 @@ class Virtual_surface {
   void make_even();
 
   Profile profile_;
+  bool closed_;
   std::vector<Section> sections_;
   std::vector<double> start_;
   std::vector<double> parameters_;  ///< of the profile, increasing; empty: they are even by themselves

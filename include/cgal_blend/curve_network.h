@@ -27,7 +27,7 @@ struct Branch {
   [[nodiscard]] bool closed() const { return first_node == no_node; }
 };
 
-/// A vertex at which a branch ends: an end (one branch) or a corner (any other number).
+/// A vertex at which a branch ends: an end (one branch) or a corner (any other number, or two that are not one curve).
 template <class Graph>
 struct Node {
   typename boost::graph_traits<Graph>::vertex_descriptor vertex;
@@ -63,8 +63,16 @@ auto edges_in_mesh_order(const Graph& mesh, const EdgeRange& selected) {
   }
 }
 
+/// Any two edges that meet at a vertex alone make one curve.
+struct Always_one_curve {
+  template <class Halfedge>
+  bool operator()(Halfedge, Halfedge) const {
+    return true;
+  }
+};
+
 /// Chains edges into branches; lives for one call of `make_curve_network`.
-template <class Graph>
+template <class Graph, class Is_one_curve>
 class Network_builder {
   using Traits = boost::graph_traits<Graph>;
   using vertex_descriptor = typename Traits::vertex_descriptor;
@@ -73,7 +81,8 @@ class Network_builder {
   using Halfedges = std::vector<halfedge_descriptor>;
 
  public:
-  Network_builder(const Graph& mesh, const std::vector<edge_descriptor>& sorted) : mesh_(mesh) {
+  Network_builder(const Graph& mesh, const std::vector<edge_descriptor>& sorted, const Is_one_curve& is_one_curve)
+      : mesh_(mesh), is_one_curve_(is_one_curve) {
     for (edge_descriptor e : sorted) {
       const halfedge_descriptor h = halfedge(e, mesh);
       outgoing_[source(h, mesh)].push_back(h);
@@ -122,7 +131,10 @@ class Network_builder {
     chain = std::move(whole);
   }
 
-  bool is_node(vertex_descriptor v) const { return outgoing_.at(v).size() != 2; }
+  bool is_node(vertex_descriptor v) const {
+    const Halfedges& out = outgoing_.at(v);
+    return out.size() != 2 || !is_one_curve_(opposite(out[0], mesh_), out[1]);
+  }
 
   std::size_t node_at(vertex_descriptor v) {
     const auto [it, is_new] = node_index_.emplace(v, network_.nodes.size());
@@ -131,6 +143,7 @@ class Network_builder {
   }
 
   const Graph& mesh_;
+  const Is_one_curve& is_one_curve_;
   std::unordered_map<vertex_descriptor, Halfedges> outgoing_;
   std::unordered_map<vertex_descriptor, std::size_t> node_index_;
   std::unordered_set<edge_descriptor> visited_;
@@ -139,14 +152,20 @@ class Network_builder {
 
 }  // namespace internal
 
-/// Chains edges of a mesh into branches between nodes; a node is every vertex where other than two of them meet.
+/// Chains edges of a mesh into branches between nodes; a node is every vertex where other than two of them meet, or two
+/// that are not one curve.
 /// \param selected a range of edge descriptors in any order; repetitions count once
+/// \param is_one_curve called with two halfedges, the target of the first being the source of the second, where no third
+///        edge is: whether a branch goes on from one to the other; the same for the opposites in reverse
 /// Branches come in the order of their first edge in `edges(mesh)` and run along that edge's `halfedge(e, mesh)`; a
 /// closed branch starts there. Nodes come in the order in which the branches name them.
 /// Costs O(k log k) for k edges if descriptors are indices (`Surface_mesh`), else one more sweep over the mesh's edges.
-template <class Graph, class EdgeRange>
-[[nodiscard]] Curve_network<Graph> make_curve_network(const Graph& mesh, const EdgeRange& selected) {
-  return internal::Network_builder<Graph>(mesh, internal::edges_in_mesh_order(mesh, selected)).take();
+template <class Graph, class EdgeRange, class Is_one_curve = internal::Always_one_curve>
+[[nodiscard]] Curve_network<Graph> make_curve_network(const Graph& mesh, const EdgeRange& selected,
+                                                      const Is_one_curve& is_one_curve = {}) {
+  return internal::Network_builder<Graph, Is_one_curve>(mesh, internal::edges_in_mesh_order(mesh, selected),
+                                                        is_one_curve)
+      .take();
 }
 
 }  // namespace cgal_blend

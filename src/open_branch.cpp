@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "open_branch.h"
+
+#include "refusal.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr double clear_of_facet = 0.3;  // rows keep no profile nearer to their end
+constexpr double fade_of_width = 0.5;   // a fading strip is closed so far from the vertex, in its widths
+
+bool is_before(const Vec& a, const Vec& b, const Vec& outward, double least) { return (b - a).dot(outward) > least; }
+
+/// Ends a spine at a ball position instead of where it rolled to.
+void end_at(std::vector<Ball_position>& positions, const Ball_position& last, int end, const Vec& outward,
+            double least) {
+  const auto stays = [&](const Ball_position& p) {
+    return is_before(p.center, last.center, outward, least) && is_before(p.contact[0], last.contact[0], outward, 0) &&
+           is_before(p.contact[1], last.contact[1], outward, 0);
+  };
+  if (end == 1) {
+    while (!positions.empty() && !stays(positions.back())) positions.pop_back();
+    positions.push_back(last);
+  } else {
+    const auto first = std::find_if(positions.begin(), positions.end(), stays);
+    positions.erase(positions.begin(), first);
+    positions.insert(positions.begin(), last);
+  }
+}
+
+Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& corner, Halfedge into, int left) {
+  const std::size_t n = corner.branches.size();
+  std::size_t k = 0;
+  const Blend_mesh& mesh = surface.mesh();
+  // Sector k lies right of branch k; the one left of it is that of the branch before.
+  while (k < n && std::find_if(corner.sectors[k].begin(), corner.sectors[k].end(), [&](Halfedge h) {
+                    return mesh.face(h) == mesh.face(mesh.opposite(into));
+                  }) == corner.sectors[k].end())
+    ++k;
+  Ball_position p;
+  p.center = corner.ball.center;
+  p.foot[left] = corner.ball.foot[(k + n - 1) % n];
+  p.foot[1 - left] = corner.ball.foot[k % n];
+  for (const int side : {0, 1}) p.contact[side] = surface.position(p.foot[side]);
+  return p;
+}
+
+/// A fading strip is closed where it is still wide enough to have facets.
+void end_fading(std::vector<Ball_position>& positions, const Branch_end& end, const Vec& vertex) {
+  const auto too_near = [&](const Ball_position& p) {
+    const double width = (p.contact[0] - p.contact[1]).norm();
+    return (vertex - (p.contact[0] + p.contact[1]) / 2).dot(end.direction) < fade_of_width * width;
+  };
+  while (positions.size() > 1 && too_near(end.end == 1 ? positions.back() : positions.front()))
+    positions.erase(end.end == 1 ? positions.end() - 1 : positions.begin());
+}
+
+std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<Ball_position>& positions,
+                                const std::array<Strip_end, 2>& ends, int side, double snap, std::size_t& stuck) {
+  const std::size_t row = side == 0 ? 0 : ends[0].last.size() - 1;
+  Rim rim;
+  rim.surface = &surface;
+  rim.keep_left = side == 0;
+  rim.first = ends[0].last[row];
+  rim.last = ends[1].last[row];
+  std::vector<Station> points{ends[0].rim[side]};
+  for (std::size_t i = rim.first; i <= rim.last && i < positions.size(); ++i)
+    points.push_back(station_at(surface, positions[i].foot[side], 0));
+  points.push_back(ends[1].rim[side]);
+  auto path = open_path(surface, points, {snap, false}, stuck);
+  if (!path) {
+    stuck = std::min(rim.first + std::max<std::size_t>(stuck, 1) - 1, positions.size() - 1);
+    return std::nullopt;
+  }
+  rim.path = std::move(*path);
+  std::vector<std::size_t> station_of(positions.size(), 0);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    station_of[i] = i < rim.first              ? 0
+                    : i > rim.last             ? rim.path.stations.size() - 1
+                                               : rim.path.station_of[i - rim.first + 1];
+  rim.path.station_of = std::move(station_of);
+  return rim;
+}
+
+}  // namespace
+
+Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, const Profile& profile,
+                    double chord_tolerance, const Sampling& steps, double snap) {
+  Open_roll result;
+  Base_surface& surface = *branch.surface;
+  const std::array<const Base_surface*, 2> surfaces{&surface, &surface};
+  for (const Branch_end& end : branch.ends) {
+    curve.overhang[end.end] = 0;
+    if (end.kind != Branch_end::Kind::faces) continue;
+    curve.overhang[end.end] = end.reach;
+    for (const auto& chain : end.border) surface.extend(chain, end.direction, 2 * end.reach);
+  }
+  Ball_path path = roll_ball(surfaces, curve, Curve_kind::crease, radius, steps);
+  result.diagnosis = path.diagnosis;
+  if (!path.diagnosis.ok()) return result;
+  const double facet = steps.finest * radius;
+  for (const Branch_end& end : branch.ends) {
+    if (end.kind == Branch_end::Kind::ball)
+      end_at(path.positions, ball_in_corner(surface, *branch.corner[end.end], end.into, end.left()), end.end,
+             end.direction, clear_of_facet * facet);
+    if (end.kind == Branch_end::Kind::fade)
+      end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
+  }
+  const Vec middle = curve.points[curve.points.size() / 2];
+  if (path.positions.size() < 2) {
+    result.diagnosis = refusal(Status::radius_exceeds_face, middle);
+    return result;
+  }
+  result.positions = std::move(path.positions);
+  const Virtual_surface& blend = result.surface.emplace(result.positions, surfaces, radius, profile, false);
+  branch.rows = blend.rows(chord_tolerance);
+  for (const int end : {0, 1}) {
+    Strip_end_result ended = end_strip(surface, branch.ends[end], result.positions, blend, branch.rows,
+                                       clear_of_facet * facet, snap);
+    result.diagnosis = ended.diagnosis;
+    if (!ended.diagnosis.ok()) return result;
+    branch.strip_ends[end] = std::move(ended.end);
+  }
+  for (std::size_t k = 0; k < branch.rows.size(); ++k) {
+    // Rows that are cut by one end before they have come from the other: the ends take up the whole edge.
+    const Vec &from = branch.strip_ends[0].hit[k], &to = branch.strip_ends[1].hit[k];
+    const std::size_t i = std::min(branch.strip_ends[0].last[k], result.positions.size() - 2);
+    const Vec ahead = result.positions[i + 1].center - result.positions[i].center;
+    if (branch.strip_ends[0].last[k] <= branch.strip_ends[1].last[k]) continue;
+    if ((to - from).dot(ahead) > 0) continue;
+    result.diagnosis = refusal(Status::radius_exceeds_face, middle);
+    return result;
+  }
+  for (const int side : {0, 1}) {
+    std::size_t stuck = 0;
+    auto rim = lay_open_rim(surface, result.positions, branch.strip_ends, side, snap, stuck);
+    if (!rim) {
+      result.diagnosis = refusal(Status::no_rolling_ball, result.positions[stuck].contact[side]);
+      return result;
+    }
+    result.rims[side] = std::move(*rim);
+  }
+  return result;
+}
+
+namespace {
+
+class End_assembler {
+ public:
+  End_assembler(Blend_mesh& mesh, const Cell_map& cells, const Open_branch& branch, int end, bool convex,
+                const std::array<const Rim*, 2>& rims, double snap, End_assembly& out)
+      : mesh_(mesh), cells_(cells), branch_(branch), end_(branch.ends[end]), strip_(branch.strip_ends[end]),
+        convex_(convex), rims_(rims), snap_(snap), out_(out) {}
+
+  Diagnosis run() {
+    out_.border.last = strip_.last;
+    out_.border.between.resize(strip_.hit.size());
+    if (strip_.path) return cut();
+    const bool fades = end_.kind == Branch_end::Kind::fade;
+    for (std::size_t k = 0; k < strip_.hit.size(); ++k) {
+      if (k == 0 || k + 1 == strip_.hit.size() || fades)
+        out_.border.hit.push_back(rim_end(k == 0 ? 0 : 1));
+      else
+        out_.border.hit.push_back(mesh_.add_vertex(to_point(strip_.hit[k])));
+    }
+    return fades || end_.kind == Branch_end::Kind::ball ? Diagnosis{} : fill();
+  }
+
+ private:
+  [[nodiscard]] Vertex rim_end(int side) const {
+    return end_.end == 0 ? rims_[side]->vertices.front() : rims_[side]->vertices.back();
+  }
+
+  /// The strip is cut by faces: along its border.
+  Diagnosis cut() {
+    Rim cut;
+    cut.surface = branch_.surface.get();
+    cut.path = *strip_.path;
+    cut.keep_left = end_.end == 1;
+    cut.blend = rims_[0]->blend;
+    cut.vertices.assign(cut.path.stations.size(), Blend_mesh::null_vertex());
+    cut.vertices.front() = rim_end(0);
+    cut.vertices.back() = rim_end(1);
+    if (Diagnosis diagnosis = add_rim_vertices(mesh_, cells_, cut); !diagnosis.ok()) return diagnosis;
+    for (std::size_t k = 0; k < strip_.hit.size(); ++k) {
+      const std::size_t station = cut.path.station_of[k];
+      out_.border.hit.push_back(cut.vertices[station]);
+      if (k + 1 == strip_.hit.size()) break;
+      for (std::size_t s = station + 1; s < cut.path.station_of[k + 1]; ++s)
+        out_.border.between[k].push_back(cut.vertices[s]);
+    }
+    out_.cuts.push_back(std::move(cut));
+    return {};
+  }
+
+  /// New faces close the strip: the loop that they fill runs from the vertex along the left side to the strip, along its
+  /// border, and back along the right side.
+  Diagnosis fill() {
+    const int left = end_.left();
+    std::array<std::vector<Vertex>, 2> leg;  // from the vertex outward, without the end of the rim
+    for (const int side : {0, 1}) {
+      if (end_.inside[side]) {
+        if (Diagnosis diagnosis = cut_seam(side, leg[side]); !diagnosis.ok()) return diagnosis;
+        continue;
+      }
+      for (const Vertex v : border_to_rim(branch_.surface->mesh(), end_, side, strip_.rim[side]))
+        leg[side].push_back(cells_.vertex(0, v));
+      if (leg[side].empty()) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
+      std::vector<Vertex> steps = leg[side];
+      steps.push_back(rim_end(side));
+      for (std::size_t i = 0; i + 1 < steps.size(); ++i)
+        out_.filled.insert(side == left ? std::pair(steps[i], steps[i + 1]) : std::pair(steps[i + 1], steps[i]));
+    }
+    out_.fill = leg[left];
+    std::vector<Vertex> border = out_.border.hit;
+    if (left == 1) std::reverse(border.begin(), border.end());
+    out_.fill.insert(out_.fill.end(), border.begin(), border.end());
+    out_.fill.insert(out_.fill.end(), leg[1 - left].rbegin(), leg[1 - left].rend() - 1);
+    if (end_.kind == Branch_end::Kind::cap) {
+      out_.fill_normal = convex_ ? Vec(-end_.direction) : end_.direction;
+    } else {
+      const Blend_mesh& base = branch_.surface->mesh();
+      out_.fill_normal = branch_.surface->frame(base.face(base.opposite(end_.border[left].front()))).face_normal;
+    }
+    return {};
+  }
+
+  /// Cuts a base face from the end of its rim to the vertex.
+  Diagnosis cut_seam(int side, std::vector<Vertex>& leg) {
+    const Blend_mesh& base = branch_.surface->mesh();
+    const Face beside = base.face(side == end_.left() ? end_.into : base.opposite(end_.into));
+    const Station vertex = station_at(*branch_.surface, beside, end_.vertex(base));
+    std::size_t stuck = 0;
+    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {snap_, false}, stuck);
+    if (!path) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
+    Rim seam;
+    seam.surface = branch_.surface.get();
+    seam.path = std::move(*path);
+    seam.keep_left = (side == 0) == (end_.end == 1);
+    seam.blend = rims_[0]->blend;
+    seam.vertices.assign(seam.path.stations.size(), Blend_mesh::null_vertex());
+    seam.vertices.front() = rim_end(side);
+    if (Diagnosis diagnosis = add_rim_vertices(mesh_, cells_, seam); !diagnosis.ok()) return diagnosis;
+    leg.assign(seam.vertices.rbegin(), seam.vertices.rend() - 1);
+    out_.cuts.push_back(std::move(seam));
+    return {};
+  }
+
+  Blend_mesh& mesh_;
+  const Cell_map& cells_;
+  const Open_branch& branch_;
+  const Branch_end& end_;
+  const Strip_end& strip_;
+  bool convex_;
+  const std::array<const Rim*, 2>& rims_;
+  double snap_;
+  End_assembly& out_;
+};
+
+}  // namespace
+
+Diagnosis assemble_end(Blend_mesh& mesh, const Cell_map& cells, const Open_branch& branch, int end, bool convex,
+                       const std::array<const Rim*, 2>& rims, double snap, End_assembly& out) {
+  return End_assembler(mesh, cells, branch, end, convex, rims, snap, out).run();
+}
+
+}  // namespace cgal_blend

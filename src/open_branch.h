@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_OPEN_BRANCH_H
+#define CGAL_BLEND_SRC_OPEN_BRANCH_H
+
+#include "blend_strip.h"
+#include "corner_ball.h"
+#include "strip_end.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace cgal_blend {
+
+/// A corner at which blends of several branches meet in the ball that rests there.
+struct Blend_corner {
+  Vertex vertex;
+  std::vector<std::pair<std::size_t, int>> branches;  ///< branch and its end, counterclockwise seen from outside
+  std::vector<std::vector<Halfedge>> sectors;         ///< per branch: the faces right of it, as halfedges to the vertex
+  Corner_ball ball;
+  std::vector<Vertex> contact;                        ///< per sector
+};
+
+/// An open branch on its way to becoming a strip.
+struct Open_branch {
+  std::unique_ptr<Base_surface> surface;  ///< of both sides, extended beyond the ends
+  std::array<Branch_end, 2> ends;
+  std::array<const Blend_corner*, 2> corner{};
+  std::vector<double> rows;
+  std::array<Strip_end, 2> strip_ends;
+};
+
+/// Rolls the ball along an open branch to its ends, and finds how they are finished.
+/// \param branch with its surface and the views of its ends
+struct Open_roll {
+  Diagnosis diagnosis;
+  std::vector<Ball_position> positions;
+  std::optional<Virtual_surface> surface;
+  std::array<Rim, 2> rims;
+};
+[[nodiscard]] Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, const Profile& profile,
+                                  double chord_tolerance, const Sampling& steps, double snap);
+
+/// What the end of a strip adds to the mesh: curves to cut along, and triangles.
+struct End_assembly {
+  std::vector<Rim> cuts;
+  std::set<std::pair<Vertex, Vertex>> filled;  ///< see `trim`
+  Strip_border border;
+  std::vector<Vertex> fill;                    ///< loop to be filled, if any
+  Vec fill_normal = Vec::Zero();
+};
+
+/// Adds the vertices at one end of a strip, whose rims have theirs.
+/// \param corner that the strip ends in; takes the border
+[[nodiscard]] Diagnosis assemble_end(Blend_mesh& mesh, const Cell_map& cells, const Open_branch& branch, int end,
+                                     bool convex, const std::array<const Rim*, 2>& rims, double snap,
+                                     End_assembly& out);
+
+}  // namespace cgal_blend
+
+#endif
