@@ -76,25 +76,46 @@ Row inner_row(const std::vector<Vertex>& inner, std::size_t first, const std::ar
   return row;
 }
 
-/// Fills the space between two rows, from one profile that both have to the next.
-void zip_rows(const Blend_mesh& mesh, const Row& low, const Row& high, const std::vector<Vertex>& start,
-              const std::vector<Vertex>& finish, std::vector<Triangle>& out) {
-  std::vector<std::array<std::size_t, 2>> stops{{0, 0}};
+/// The part of a strip's border between two rows: their ends and what lies between these.
+std::vector<Vertex> border_between(Vertex low, const std::vector<Vertex>& between, Vertex high) {
+  std::vector<Vertex> chain{low};
+  chain.insert(chain.end(), between.begin(), between.end());
+  if (high != chain.back()) chain.push_back(high);
+  return chain;
+}
+
+/// Fills the space between two rows, from one profile that both have to the next. At the ends of an open strip the last
+/// cell is filled across, from the rows' last vertices to the border: no triangle has all its corners on that.
+void zip_rows(const Blend_mesh& mesh, const Row& low, const Row& high, const std::array<const Strip_border*, 2>& ends, std::size_t k,
+              std::vector<Triangle>& out) {
+  std::array<std::size_t, 2> begin{0, 0}, end{low.chain.size() - 1, high.chain.size() - 1};
+  const auto roomy = [&] { return end[0] - begin[0] > 1 && end[1] - begin[1] > 1; };
+  if (ends[0] && roomy()) {
+    begin = {1, 1};
+    zip(mesh, {low.chain[1], high.chain[1]}, border_between(low.chain[0], ends[0]->between[k], high.chain[0]), out);
+  }
+  if (ends[1] && end[0] > begin[0] && end[1] > begin[1]) {
+    zip(mesh, border_between(low.chain[end[0]], ends[1]->between[k], high.chain[end[1]]),
+        {low.chain[end[0] - 1], high.chain[end[1] - 1]}, out);
+    end = {end[0] - 1, end[1] - 1};
+  }
+  std::vector<std::array<std::size_t, 2>> stops{begin};
   for (const auto& [profile, index] : low.at) {
     const auto other = high.at.find(profile);
-    if (other != high.at.end() && (index != stops.back()[0] || other->second != stops.back()[1]))
-      stops.push_back({index, other->second});
+    if (other == high.at.end()) continue;
+    const std::array<std::size_t, 2> stop{index, other->second};
+    if (stop[0] < begin[0] || stop[1] < begin[1] || stop[0] > end[0] || stop[1] > end[1]) continue;
+    if (stop != stops.back()) stops.push_back(stop);
   }
-  const std::array<std::size_t, 2> end{low.chain.size() - 1, high.chain.size() - 1};
   if (stops.back() != end) stops.push_back(end);
   for (std::size_t s = 0; s + 1 < stops.size(); ++s) {
-    const auto part = [&](const Row& row, int k) {
-      return std::vector<Vertex>(row.chain.begin() + static_cast<std::ptrdiff_t>(stops[s][k]),
-                                 row.chain.begin() + static_cast<std::ptrdiff_t>(stops[s + 1][k]) + 1);
+    const auto part = [&](const Row& row, int side) {
+      return std::vector<Vertex>(row.chain.begin() + static_cast<std::ptrdiff_t>(stops[s][side]),
+                                 row.chain.begin() + static_cast<std::ptrdiff_t>(stops[s + 1][side]) + 1);
     };
     std::vector<Vertex> below = part(low, 0), above = part(high, 1);
-    if (s == 0) below.insert(below.begin(), start.rbegin(), start.rend());
-    if (s + 2 == stops.size()) below.insert(below.end(), finish.begin(), finish.end());
+    const bool at_start = s == 0 && ends[0] && begin[0] == 0;
+    if (at_start) below.insert(below.begin(), ends[0]->between[k].rbegin(), ends[0]->between[k].rend());
     if (below.front() == above.front() && below.size() > 1) below.erase(below.begin());
     if (below.back() == above.back() && below.size() > 1) below.pop_back();
     zip(mesh, below, above, out);
@@ -124,8 +145,7 @@ Strip tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface, const s
       }
   for (std::size_t k = 1; k + 1 < rows.size(); ++k) row[k] = inner_row(inner[k], first[k], ends, k);
   for (std::size_t k = 0; k + 1 < rows.size(); ++k)
-    zip_rows(mesh, row[k], row[k + 1], ends[0] ? ends[0]->between[k] : std::vector<Vertex>(),
-             ends[1] ? ends[1]->between[k] : std::vector<Vertex>(), strip.triangles);
+    zip_rows(mesh, row[k], row[k + 1], ends, k, strip.triangles);
   return strip;
 }
 

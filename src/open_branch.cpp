@@ -61,6 +61,14 @@ void end_fading(std::vector<Ball_position>& positions, const Branch_end& end, co
     positions.erase(end.end == 1 ? positions.end() - 1 : positions.begin());
 }
 
+std::size_t nearest(const std::vector<Ball_position>& positions, const Vec& p) {
+  const auto distance = [&](const Ball_position& q) { return (q.center - p).squaredNorm(); };
+  return static_cast<std::size_t>(
+      std::min_element(positions.begin(), positions.end(),
+                       [&](const Ball_position& a, const Ball_position& b) { return distance(a) < distance(b); }) -
+      positions.begin());
+}
+
 std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<Ball_position>& positions,
                                 const std::array<Strip_end, 2>& ends, int side, double snap, std::size_t& stuck) {
   const std::size_t row = side == 0 ? 0 : ends[0].last.size() - 1;
@@ -112,7 +120,7 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, cons
     if (end.kind == Branch_end::Kind::fade)
       end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
   }
-  const Vec middle = curve.points[curve.points.size() / 2];
+  const Vec middle = (curve.points[(curve.points.size() - 1) / 2] + curve.points[curve.points.size() / 2]) / 2;
   if (path.positions.size() < 2) {
     result.diagnosis = refusal(Status::radius_exceeds_face, middle);
     return result;
@@ -122,7 +130,7 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, cons
   branch.rows = blend.rows(chord_tolerance);
   for (const int end : {0, 1}) {
     Strip_end_result ended = end_strip(surface, branch.ends[end], result.positions, blend, branch.rows,
-                                       clear_of_facet * facet, snap);
+                                       nearest(result.positions, middle), clear_of_facet * facet, snap);
     result.diagnosis = ended.diagnosis;
     if (!ended.diagnosis.ok()) return result;
     branch.strip_ends[end] = std::move(ended.end);

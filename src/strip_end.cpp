@@ -171,8 +171,10 @@ class Extension {
 class Strip_ender {
  public:
   Strip_ender(const Base_surface& surface, const Branch_end& end, const std::vector<Ball_position>& positions,
-              const Virtual_surface& blend, const std::vector<double>& rows, double clear, double snap)
-      : surface_(surface), end_(end), positions_(positions), blend_(blend), rows_(rows), clear_(clear), snap_(snap) {}
+              const Virtual_surface& blend, const std::vector<double>& rows, std::size_t middle, double clear,
+              double snap)
+      : surface_(surface), end_(end), positions_(positions), blend_(blend), rows_(rows), middle_(middle), clear_(clear),
+        snap_(snap) {}
 
   Strip_end_result run() {
     result_.end.hit.resize(rows_.size());
@@ -224,8 +226,7 @@ class Strip_ender {
 
   /// Where a rim leaves its base face.
   bool leave_base(int side) {
-    const std::size_t middle = size() / 2;
-    for (std::size_t n = from_middle(middle); n-- > 0;) {
+    for (std::size_t n = from_middle(); n-- > 0;) {
       const std::size_t i = from_end(n);
       const std::size_t before = end_.end == 1 ? i - 1 : i + 1;
       if (!surface_.is_extension(positions_[i].foot[side].face)) continue;
@@ -240,9 +241,7 @@ class Strip_ender {
   }
 
   /// Number of positions from the end to the middle, that excluded.
-  [[nodiscard]] std::size_t from_middle(std::size_t middle) const {
-    return end_.end == 1 ? size() - 1 - middle : middle;
-  }
+  [[nodiscard]] std::size_t from_middle() const { return end_.end == 1 ? size() - 1 - middle_ : middle_; }
 
   void set_end(std::size_t row, std::size_t last, const Vec& hit) {
     result_.end.last[row] = last;
@@ -256,7 +255,7 @@ class Strip_ender {
     std::vector<Station> stations{beyond(0)};
     for (std::size_t k = 1; k + 1 < rows_.size(); ++k) {
       std::optional<std::pair<Vec, Station>> hit;
-      for (std::size_t n = from_middle(size() / 2); n-- > 0 && !hit;) {
+      for (std::size_t n = from_middle(); n-- > 0 && !hit;) {
         const std::size_t i = from_end(n), before = end_.end == 1 ? i - 1 : i + 1;
         hit = cutter.cross(row_point(k, before), row_point(k, i));
         if (hit) set_end(k, before, hit->first);
@@ -289,13 +288,13 @@ class Strip_ender {
     const Extension extension(surface_, end_);
     for (const int side : {0, 1})
       if (!end_.inside[side] && !leave_base(side)) return false;
-    const double before_sign = extension.sign_before(positions_[size() / 2].center);
+    const double before_sign = extension.sign_before(positions_[middle_].center);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       const bool rim = k == 0 || k + 1 == rows_.size();
       const int side = k == 0 ? 0 : 1;
       if (rim && !end_.inside[side]) continue;
       bool found = false;
-      for (std::size_t n = from_middle(size() / 2); n-- > 0 && !found;) {
+      for (std::size_t n = from_middle(); n-- > 0 && !found;) {
         const std::size_t i = from_end(n), before = end_.end == 1 ? i - 1 : i + 1;
         const Vec a = row_point(k, before), b = row_point(k, i);
         const double ha = before_sign * extension.height(a), hb = before_sign * extension.height(b);
@@ -331,6 +330,7 @@ class Strip_ender {
   const std::vector<Ball_position>& positions_;
   const Virtual_surface& blend_;
   const std::vector<double>& rows_;
+  std::size_t middle_;
   double clear_, snap_;
   Strip_end_result result_;
 };
@@ -375,8 +375,8 @@ End_view view_end(const Base_surface& surface, Halfedge into, int end, bool conv
 
 Strip_end_result end_strip(const Base_surface& surface, const Branch_end& branch_end,
                            const std::vector<Ball_position>& positions, const Virtual_surface& blend,
-                           const std::vector<double>& rows, double clear, double snap) {
-  return Strip_ender(surface, branch_end, positions, blend, rows, clear, snap).run();
+                           const std::vector<double>& rows, std::size_t middle, double clear, double snap) {
+  return Strip_ender(surface, branch_end, positions, blend, rows, middle, clear, snap).run();
 }
 
 std::vector<Vertex> border_to_rim(const Blend_mesh& mesh, const Branch_end& end, int side, const Station& rim) {

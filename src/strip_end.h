@@ -56,6 +56,7 @@ struct Strip_end {
 
 /// Finds where the rows of a strip end.
 /// \param rows parameters of the profile, see `Virtual_surface::rows`
+/// \param middle a position in the middle of the branch
 /// \param clear rows keep no ball position that is nearer to their end, length units
 struct Strip_end_result {
   Diagnosis diagnosis;
@@ -63,7 +64,7 @@ struct Strip_end_result {
 };
 [[nodiscard]] Strip_end_result end_strip(const Base_surface& surface, const Branch_end& branch_end,
                                          const std::vector<Ball_position>& positions, const Virtual_surface& blend,
-                                         const std::vector<double>& rows, double clear, double snap);
+                                         const std::vector<double>& rows, std::size_t middle, double clear, double snap);
 
 /// Vertices of the base mesh along a base face's border from an end's vertex to where the rim crosses it, without that
 /// place; empty if the rim does not cross it.
