@@ -3,7 +3,7 @@
 
 #include "boolean.h"
 #include "fillet_coarse.h"
-#include "fillet_engine.h"
+#include "fillet_in_passes.h"
 #include "sharp_mesh.h"
 #include "snap_to_planes.h"
 #include "stopwatch.h"
@@ -23,7 +23,7 @@ constexpr double largest_profile = 1000;
 
 Fillet_outcome blend_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                           const Fillet_options& options) {
-  return options.coarse_faces > 0 ? fillet_coarse(body, blends, out, options) : fillet_body(body, blends, out, options);
+  return options.coarse_faces > 0 ? fillet_coarse(body, blends, out, options) : fillet_in_passes(body, blends, out, options);
 }
 
 /// A profile must be made of numbers, whatever the wedge.

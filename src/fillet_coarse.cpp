@@ -2,7 +2,7 @@
 #include "fillet_coarse.h"
 
 #include "coarse_level.h"
-#include "fillet_engine.h"
+#include "fillet_in_passes.h"
 #include "mesh_checks.h"
 #include "refusal.h"
 #include "sharp_mesh.h"
@@ -204,7 +204,7 @@ Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_ble
   std::vector<Edge_blend> coarse_blends = curves.blends;
   for (std::size_t i = 0; i < coarse_blends.size(); ++i) coarse_blends[i].edges = level.curves()[i];
   Blend_mesh blended;
-  const Fillet_outcome outcome = fillet_body(coarse, coarse_blends, blended, options);
+  const Fillet_outcome outcome = fillet_in_passes(coarse, coarse_blends, blended, options);
   times.blend = outcome.times.blend;
   for (std::size_t i = 0; i < outcome.blends.size() && i < curves.report_of.size(); ++i) {
     Blend_report& report = curves.reports[curves.report_of[i]];

@@ -98,11 +98,13 @@ struct Job {
   bool rolled = false;
   std::optional<Diagnosis> first_failure;
   Profile profile;
+  std::optional<Profile> own_profile;  // if it is not that of the options
   std::vector<Ball_position> positions;
   std::array<Rim, 2> rims;
   std::optional<Virtual_surface> surface;
   std::optional<Open_branch> open;
   std::array<Vertex, 2> ends;  // of an open branch
+  bool waits = false;          // for a later pass
 };
 
 struct Assembly {
@@ -110,17 +112,22 @@ struct Assembly {
   std::size_t blame = 0;  ///< job that the diagnosis is about
   Fillet_outcome outcome;
   Blend_mesh mesh;
+  std::vector<Later_blend> later;
+  std::vector<Later_blend::Step> creases;
 };
 
 class Engine {
  public:
   /// \param thorough try every view of the surfaces, and find the largest radius that works where one is refused
-  Engine(const Fillet_body& body, const Fillet_options& options, bool thorough = true)
-      : body_(body), options_(options), thorough_(thorough), levels_(thorough ? smoothings.size() : quick_levels) {}
+  /// \param creases edges that count as sharp
+  Engine(const Fillet_body& body, const Fillet_options& options, bool thorough = true,
+         const std::vector<Edge>& creases = {})
+      : creases_of_body_(creases), creases_(creases.begin(), creases.end()), body_(body), options_(options), thorough_(thorough), levels_(thorough ? smoothings.size() : quick_levels) {}
 
-  Fillet_outcome run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
+  Fillet_pass run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
     Stopwatch watch;
-    Fillet_outcome outcome;
+    Fillet_pass pass;
+    Fillet_outcome& outcome = pass.outcome;
     outcome.diagnosis = prepare(blends);
     while (outcome.diagnosis.ok()) {
       outcome.diagnosis = roll_all();
@@ -128,6 +135,8 @@ class Engine {
       Assembly assembly = assemble();
       if (assembly.diagnosis.ok()) {
         outcome = std::move(assembly.outcome);
+        pass.later = std::move(assembly.later);
+        pass.creases = std::move(assembly.creases);
         out = std::move(assembly.mesh);
         break;
       }
@@ -135,10 +144,11 @@ class Engine {
     }
     if (thorough_ && outcome.diagnosis.status != Status::cancelled) find_largest_radii(outcome);
     if (!outcome.ok()) out.clear();
-    for (const Job& job : jobs_) outcome.blends.push_back(job.report);
+    for (const Job& job : jobs_)
+      if (!job.waits || !outcome.ok()) outcome.blends.push_back(job.report);
     outcome.times = aside_;
     outcome.times.blend = watch.milliseconds() - aside_.copy - aside_.validate;
-    return outcome;
+    return pass;
   }
 
  private:
@@ -153,6 +163,7 @@ class Engine {
       for (const Branch<Blend_mesh>& branch : network.branches) {
         Job job;
         job.halfedges = branch.halfedges;
+        job.own_profile = blend.profile;
         job.profile = blend.profile.value_or(options_.profile);
         job.report.edges = branch.halfedges.size();
         job.report.radius = radius;
@@ -169,7 +180,54 @@ class Engine {
         for (const int end : {0, 1}) nodes_[jobs_[i].ends[end]].push_back({i, end});
     for (Job& job : jobs_)
       if (!job.report.closed && job.report.diagnosis.ok()) job.report.diagnosis = refuse_open(job);
+    if (body_.own_surface) set_order();
     return first_refusal();
+  }
+
+  /// Decides which branches have to wait. Where one goes first, the others roll over its end.
+  void set_order() {
+    const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_);
+    std::map<Vertex, std::size_t> first;  // corners without a ball at rest: the branch that goes first
+    for (const auto& [v, node] : nodes_) {
+      if (node.size() == 1 || corner_at(v, surface)) continue;
+      std::size_t convex = 0;
+      for (const auto& [i, end] : node) convex += jobs_[i].curve.convex ? 1 : 0;
+      const bool odd = 2 * convex < node.size();  // the convexity that is rarer there; concave if neither is
+      const auto rank = [&](std::size_t i) {
+        const bool is_odd = jobs_[i].curve.convex == odd;
+        return std::tuple(convex == 0 || convex == node.size() || is_odd ? 0 : 1, -jobs_[i].report.radius, i);
+      };
+      std::size_t best = node.front().first;
+      for (const auto& [i, end] : node)
+        if (jobs_[i].report.diagnosis.ok() && (!jobs_[best].report.diagnosis.ok() || rank(i) < rank(best))) best = i;
+      first[v] = best;
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const auto& [v, node] : nodes_) {
+        const auto winner = first.find(v);
+        const bool all_wait = winner == first.end() && std::any_of(node.begin(), node.end(), [&](const auto& branch) {
+                                return jobs_[branch.first].waits;
+                              });
+        for (const auto& [i, end] : node) {
+          const bool waits = all_wait || (winner != first.end() && winner->second != i);
+          changed = changed || (waits && !jobs_[i].waits);
+          jobs_[i].waits = jobs_[i].waits || waits;
+        }
+      }
+    }
+    const auto runs = [](const Job& job) { return !job.waits && job.report.diagnosis.ok(); };
+    if (std::none_of(jobs_.begin(), jobs_.end(), runs)) {  // all wait for each other
+      for (Job& job : jobs_)
+        if (job.waits && job.report.diagnosis.ok())
+          job.report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(job.ends[0])));
+    }
+  }
+
+  [[nodiscard]] Base_surface::Options open_surface_options(std::size_t level) const {
+    Base_surface::Options options;
+    options.smooth_angle = std::min(options_.smooth_angle, open_angles[level]);
+    return options;
   }
 
   /// Blends that meet and want the same are one, so that their curves run on into each other.
@@ -316,7 +374,7 @@ class Engine {
   Diagnosis roll_all() {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
-      if (job.rolled || !job.report.diagnosis.ok()) continue;
+      if (job.rolled || job.waits || !job.report.diagnosis.ok()) continue;
       progress_ = static_cast<double>(i) / static_cast<double>(jobs_.size());
       if (is_cancelled()) return {Status::cancelled, "", {}, {}};
       for (; job.level < levels_of(job); ++job.level) {
@@ -355,21 +413,17 @@ class Engine {
 
   Diagnosis roll_to_ends(Job& job, std::size_t index) {
     const double radius = job.report.radius;
-    Base_surface::Options options = surface_options(smoothings[0], radius);
-    options.smooth_angle = std::min(options_.smooth_angle, open_angles[job.level]);
     Open_branch& branch = job.open.emplace();
-    branch.surface = std::make_unique<Base_surface>(*body_.mesh, options, &creases_);
+    branch.surface = std::make_unique<Base_surface>(*body_.mesh, open_surface_options(job.level), &creases_);
     for (const int end : {0, 1}) {
       const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
-      const std::vector<std::pair<std::size_t, int>>& node = nodes_.at(job.ends[end]);
-      if (node.size() == 1) {
+      Blend_corner* corner = nodes_.at(job.ends[end]).size() > 1 ? corner_at(job.ends[end], *branch.surface) : nullptr;
+      if (!corner) {
         const End_view view = view_end(*branch.surface, into, end, job.curve.convex, radius);
         if (!view.diagnosis.ok()) return view.diagnosis;
         branch.ends[end] = view.end;
         continue;
       }
-      Blend_corner* corner = corner_at(job.ends[end], *branch.surface);
-      if (!corner) return refusal(Status::corner, to_vec(body_.mesh->point(job.ends[end])));
       Branch_end& e = branch.ends[end];
       e.kind = Branch_end::Kind::ball;
       e.end = end;
@@ -526,6 +580,67 @@ class Engine {
     }
   }
 
+  // Assembly of what waits.
+
+  /// The edges of a branch as they are by now, cut where rims cross them; those that are gone are left out later.
+  void add_later(const Blend_mesh& work, const Trimming& trimming,
+                 const std::map<std::size_t, std::array<End_assembly, 2>>& ends, const std::vector<Rim>& rims,
+                 Assembly& result) const {
+    std::map<std::size_t, std::size_t> place;  // of jobs in result.later
+    const auto step = [&](Vertex a, Vertex b) { return Later_blend::Step(work.point(a), work.point(b)); };
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      if (!job.waits || !job.report.diagnosis.ok()) continue;
+      place[i] = result.later.size();
+      Later_blend& later = result.later.emplace_back();
+      later.radius = job.report.radius;
+      later.profile = job.own_profile;
+      for (const Halfedge h : job.halfedges) {
+        const auto divided = trimming.divided.find(work.edge(h));
+        if (divided == trimming.divided.end()) {
+          later.edges.push_back(step(work.source(h), work.target(h)));
+          continue;
+        }
+        for (std::size_t k = 0; k + 1 < divided->second.size(); ++k)
+          later.edges.push_back(step(divided->second[k], divided->second[k + 1]));
+      }
+    }
+    for (const auto& [i, both] : ends)
+      for (const int end : {0, 1}) {
+        const Branch_end& e = jobs_[i].open->ends[end];
+        if (e.kind != Branch_end::Kind::faces) continue;
+        // Which branches wait left and right of this one's end?
+        std::array<std::optional<std::size_t>, 2> waiting;
+        for (const auto& [k, other] : nodes_.at(jobs_[i].ends[end])) {
+          if (!place.count(k)) continue;
+          const Halfedge into =
+              other == 1 ? jobs_[k].halfedges.back() : body_.mesh->opposite(jobs_[k].halfedges.front());
+          for (const int side : {0, 1})
+            if (body_.mesh->edge(e.border[side].front()) == body_.mesh->edge(into)) waiting[side] = k;
+        }
+        if (waiting[0] && waiting[1]) {  // they go on into each other over the end of this one
+          const Strip_border& border = both[end].border;
+          Later_blend& later = result.later[place[*waiting[0]]];
+          std::vector<Vertex> chain{border.hit.front()};
+          for (std::size_t k = 0; k + 1 < border.hit.size(); ++k) {
+            chain.insert(chain.end(), border.between[k].begin(), border.between[k].end());
+            chain.push_back(border.hit[k + 1]);
+          }
+          for (std::size_t k = 0; k + 1 < chain.size(); ++k)
+            if (chain[k] != chain[k + 1]) later.edges.push_back(step(chain[k], chain[k + 1]));
+        } else if (waiting[0] || waiting[1]) {  // a mitre: this one's surface cuts the other's
+          const int side = waiting[0] ? 0 : 1;
+          if (jobs_[*waiting[side]].curve.convex != jobs_[i].curve.convex) continue;
+          const auto rim = std::find_if(rims.begin(), rims.end(), [&, i = i](const Rim& r) { return r.blend == i; }) + side;
+          const Vec corner = to_vec(work.point(jobs_[i].ends[end]));
+          for (std::size_t k = 0; k + 1 < rim->vertices.size(); ++k) {
+            const Vec a = to_vec(work.point(rim->vertices[k])), b = to_vec(work.point(rim->vertices[k + 1]));
+            if (off_segment(a, b, corner) < e.reach) result.creases.push_back(step(rim->vertices[k], rim->vertices[k + 1]));
+          }
+        }
+      }
+  }
+
   [[nodiscard]] bool fits(const Job& job, double radius) const {
     Edge_blend blend{{}, radius, job.profile};
     for (const Halfedge h : job.halfedges) blend.edges.push_back(body_.mesh->edge(h));
@@ -533,7 +648,7 @@ class Engine {
     alone.keep_going = false;
     alone.progress = nullptr;
     Blend_mesh ignored;
-    return Engine(body_, alone, false).run({blend}, ignored).ok();
+    return Engine(body_, alone, false, creases_of_body_).run({blend}, ignored).outcome.ok();
   }
 
   /// `ok` as long as something can be written: all blends, or some of them if that is wanted.
@@ -542,7 +657,7 @@ class Engine {
     bool some = false;
     for (const Job& job : jobs_) {
       if (job.report.diagnosis.ok())
-        some = true;
+        some = some || !job.waits;
       else if (!refused)
         refused = &job;
     }
@@ -665,6 +780,7 @@ class Engine {
         triangles.insert(triangles.end(), fill->begin(), fill->end());
       }
     if (!fill_corners(work, ends, triangles, result)) return;
+    add_later(work, trimming, ends, rims, result);
     const Replacement replacement = replace_faces(work, trimming.removed, triangles);
     if (replacement.conflict) {
       const Vec at = to_vec(work.point(*replacement.conflict));
@@ -790,12 +906,13 @@ class Engine {
     return nearest;
   }
 
+  std::vector<Edge> creases_of_body_;
+  std::unordered_set<Edge> creases_;  // those, and what is to be blended
   const Fillet_body& body_;
   const Fillet_options& options_;
   bool thorough_;
   std::size_t levels_;
   double progress_ = 0;
-  std::unordered_set<Edge> creases_;
   std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
   std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
@@ -805,9 +922,9 @@ class Engine {
 
 }  // namespace
 
-Fillet_outcome fillet_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
-                           const Fillet_options& options) {
-  return Engine(body, options).run(blends, out);
+Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& blends,
+                        const std::vector<Edge>& creases, Blend_mesh& out, const Fillet_options& options) {
+  return Engine(body, options, true, creases).run(blends, out);
 }
 
 }  // namespace cgal_blend

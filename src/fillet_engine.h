@@ -4,13 +4,34 @@
 
 #include "fillet_body.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace cgal_blend {
 
-/// Blends edges of a body; see `fillet_edges`. The faces of the bases that are kept come first in `out`, in their order.
-[[nodiscard]] Fillet_outcome fillet_body(const Fillet_body& body, const std::vector<Edge_blend>& blends,
-                                         Blend_mesh& out, const Fillet_options& options);
+/// A blend that has to wait for others at its corners, in terms of the mesh that these leave.
+struct Later_blend {
+  using Step = std::pair<Point_3, Point_3>;  ///< ends of an edge of that mesh, if it is one still
+
+  double radius = 0;
+  std::optional<Profile> profile;
+  std::vector<Step> edges;
+};
+
+/// Blends of one pass. Of several branches that meet in a corner without a ball at rest, one goes first; the others wait.
+struct Fillet_pass {
+  Fillet_outcome outcome;
+  std::vector<Later_blend> later;
+  std::vector<Later_blend::Step> creases;  ///< edges that count as sharp for them, whatever their angle
+};
+
+/// Blends those edges of a body that need not wait; see `fillet_edges`. The faces of the bases that are kept come first
+/// in `out`, in their order.
+/// \param creases edges of the body's mesh that count as sharp
+[[nodiscard]] Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& blends,
+                                      const std::vector<Edge>& creases, Blend_mesh& out,
+                                      const Fillet_options& options);
 
 }  // namespace cgal_blend
 

@@ -45,6 +45,11 @@ class Trimmer {
     if (!flood()) return fail();
     for (const auto& [cell, work] : work_)
       if (work.segments.empty() && !divide(cell)) return fail();
+    for (const auto& [h, stations] : on_edge_) {
+      std::vector<Vertex>& chain = result_.divided[mesh_.edge(h)];
+      for (const Directed& step : steps_of(h)) chain.push_back(step.first);
+      chain.push_back(mesh_.target(h));
+    }
     return std::move(result_);
   }
 

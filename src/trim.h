@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -35,6 +36,7 @@ struct Trimming {
   std::vector<Face> removed;                      ///< cut faces and those between the rims
   std::vector<std::array<Vertex, 3>> remnants;    ///< triangles that remain of the cut faces
   std::vector<Cell_map::Cell> remnant_cells;      ///< per remnant: the cell that it is a part of
+  std::map<Edge, std::vector<Vertex>> divided;    ///< edges that rims cross: their vertices from end to end, in order
 };
 
 /// Adds the vertices of the rims to the mesh, or finds them where they stand on vertices of it.
