@@ -23,7 +23,9 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -232,25 +234,34 @@ class Engine {
 
   /// Blends that meet and want the same are one, so that their curves run on into each other.
   [[nodiscard]] std::vector<Edge_blend> joined(const std::vector<Edge_blend>& blends) const {
-    std::vector<Edge_blend> result;
     if (!body_.own_surface) return blends;
-    std::vector<std::unordered_set<Vertex>> vertices;
-    for (const Edge_blend& blend : blends) {
-      std::unordered_set<Vertex> own;
-      for (const Edge e : blend.edges)
-        for (const Halfedge h : {body_.mesh->halfedge(e, 0), body_.mesh->halfedge(e, 1)}) own.insert(body_.mesh->target(h));
-      std::size_t into = result.size();
-      for (std::size_t k = 0; k < result.size() && into == result.size(); ++k) {
-        if (result[k].radius != blend.radius || result[k].profile || blend.profile) continue;
-        if (std::any_of(own.begin(), own.end(), [&](Vertex v) { return vertices[k].count(v) != 0; })) into = k;
-      }
-      if (into == result.size()) {
-        result.push_back(blend);
-        vertices.push_back(std::move(own));
-      } else {
-        result[into].edges.insert(result[into].edges.end(), blend.edges.begin(), blend.edges.end());
-        vertices[into].insert(own.begin(), own.end());
-      }
+    std::vector<std::size_t> group(blends.size());
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    const auto root = [&](std::size_t i) {
+      while (group[i] != i) i = group[i];
+      return i;
+    };
+    std::unordered_map<Vertex, std::vector<std::size_t>> at;  // which blends have an edge there
+    for (std::size_t i = 0; i < blends.size(); ++i)
+      for (const Edge e : blends[i].edges)
+        for (const int end : {0, 1}) {
+          std::vector<std::size_t>& here = at[body_.mesh->vertex(e, end)];
+          for (const std::size_t k : here) {
+            if (blends[k].radius != blends[i].radius || blends[k].profile || blends[i].profile) continue;
+            const std::size_t a = root(i), b = root(k);
+            group[std::max(a, b)] = std::min(a, b);
+          }
+          if (here.empty() || here.back() != i) here.push_back(i);
+        }
+    std::vector<Edge_blend> result;
+    std::map<std::size_t, std::size_t> place;
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+      const auto [into, is_new] = place.emplace(root(i), result.size());
+      if (is_new)
+        result.push_back(blends[i]);
+      else
+        result[into->second].edges.insert(result[into->second].edges.end(), blends[i].edges.begin(),
+                                          blends[i].edges.end());
     }
     return result;
   }
@@ -586,6 +597,9 @@ class Engine {
   void add_later(const Blend_mesh& work, const Trimming& trimming,
                  const std::map<std::size_t, std::array<End_assembly, 2>>& ends, const std::vector<Rim>& rims,
                  Assembly& result) const {
+    std::set<std::pair<Vertex, Vertex>> filled;  // within faces that have grown
+    for (const auto& [i, both] : ends)
+      for (const End_assembly& end : both) filled.insert(end.filled.begin(), end.filled.end());
     std::map<std::size_t, std::size_t> place;  // of jobs in result.later
     const auto step = [&](Vertex a, Vertex b) { return Later_blend::Step(work.point(a), work.point(b)); };
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
@@ -598,11 +612,14 @@ class Engine {
       for (const Halfedge h : job.halfedges) {
         const auto divided = trimming.divided.find(work.edge(h));
         if (divided == trimming.divided.end()) {
-          later.edges.push_back(step(work.source(h), work.target(h)));
+          const Vertex a = work.source(h), b = work.target(h);
+          if (!filled.count({a, b}) && !filled.count({b, a})) later.edges.push_back(step(a, b));
           continue;
         }
-        for (std::size_t k = 0; k + 1 < divided->second.size(); ++k)
-          later.edges.push_back(step(divided->second[k], divided->second[k + 1]));
+        for (std::size_t k = 0; k + 1 < divided->second.size(); ++k) {
+          const Vertex a = divided->second[k], b = divided->second[k + 1];
+          if (!filled.count({a, b}) && !filled.count({b, a})) later.edges.push_back(step(a, b));
+        }
       }
     }
     for (const auto& [i, both] : ends)
