@@ -133,9 +133,18 @@ class Extension {
         add(surface, mesh.opposite(end.border[side].front()));
         continue;
       }
-      for (const Halfedge h : end.border[side]) add(surface, mesh.opposite(h));
+      const bool outgoing = side == end.left();
+      Halfedge before;
+      for (const Halfedge h : end.border[side]) {
+        const Halfedge o = mesh.opposite(h);
+        if (before != Blend_mesh::null_halfedge()) {  // as far as the faces beyond are one surface
+          const Halfedge a = outgoing ? mesh.prev(before) : before, b = outgoing ? o : mesh.prev(o);
+          if (surface.fan(a) != surface.fan(b)) break;
+        }
+        add(surface, o);
+        before = o;
+      }
     }
-    outward_ = end.direction;
   }
 
   /// Height of a point above the nearest of the planes, positive beyond them.
@@ -153,8 +162,6 @@ class Extension {
   /// Sign of the height where the branch comes from.
   [[nodiscard]] double sign_before(const Vec& from) const { return height(from) < 0 ? -1 : 1; }
 
-  [[nodiscard]] const Vec& normal() const { return pieces_.front().normal; }
-
  private:
   struct Piece {
     Vec a, b, normal;
@@ -165,7 +172,6 @@ class Extension {
                        surface.frame(mesh.face(h)).face_normal});
   }
   std::vector<Piece> pieces_;
-  Vec outward_;
 };
 
 class Strip_ender {
