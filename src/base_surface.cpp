@@ -17,8 +17,9 @@ constexpr double least_departure = 0.02;  // sine of the angle between an edge a
 
 double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-Base_surface::Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases)
-    : mesh_(mesh), options_(options), cos_smooth_(std::cos(options.smooth_angle * pi / 180)), creases_(creases),
+Base_surface::Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases,
+                           const std::unordered_set<Face>* blends)
+    : mesh_(mesh), options_(options), cos_smooth_(std::cos(options.smooth_angle * pi / 180)), creases_(creases), blends_(blends),
       first_extension_(static_cast<std::uint32_t>(mesh.number_of_faces() + mesh.number_of_removed_faces())) {}
 
 Vec Base_surface::raw_normal(Face face) const {
@@ -93,8 +94,11 @@ Halfedge Base_surface::name_fan(const std::vector<Halfedge>& corners) const {
 Vec Base_surface::smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const {
   Vec sum = Vec::Zero();
   if (pass == 0) {
+    const auto is_blend = [&](Halfedge g) { return blends_ && blends_->count(mesh_.face(g)) != 0; };
+    const bool only_blends = std::all_of(corners.begin(), corners.end(), is_blend);
     // Weights by angle: a quadrilateral split along either diagonal gives the same normal.
     for (const Halfedge g : corners) {
+      if (!only_blends && is_blend(g)) continue;
       const Vec v = to_vec(mesh_.point(mesh_.target(g)));
       const Vec to = to_vec(mesh_.point(mesh_.target(mesh_.next(g)))) - v;
       const Vec from = to_vec(mesh_.point(mesh_.source(g))) - v;

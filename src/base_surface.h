@@ -45,7 +45,9 @@ class Base_surface {
   };
 
   /// \param creases edges across which the surface is not smooth, whatever their angle; may be null
-  Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases = nullptr);
+  /// \param blends faces of blends, which are tangent to the others: no normal is averaged over both; may be null
+  Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases = nullptr,
+               const std::unordered_set<Face>* blends = nullptr);
 
   /// What a face contributes to evaluations.
   struct Frame {
@@ -126,6 +128,7 @@ class Base_surface {
   Options options_;
   double cos_smooth_;
   const std::unordered_set<Edge>* creases_;
+  const std::unordered_set<Face>* blends_;
   mutable std::unordered_map<std::uint32_t, Frame> frames_;
   mutable std::unordered_map<std::uint32_t, Halfedge> fans_;
   mutable std::unordered_map<std::uint32_t, bool> long_creases_;

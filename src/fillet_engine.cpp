@@ -121,10 +121,10 @@ struct Assembly {
 class Engine {
  public:
   /// \param thorough try every view of the surfaces, and find the largest radius that works where one is refused
-  /// \param creases edges that count as sharp
   Engine(const Fillet_body& body, const Fillet_options& options, bool thorough = true,
-         const std::vector<Edge>& creases = {})
-      : creases_of_body_(creases), creases_(creases.begin(), creases.end()), body_(body), options_(options), thorough_(thorough), levels_(thorough ? smoothings.size() : quick_levels) {}
+         const Earlier_blends& earlier = {})
+      : earlier_(earlier), creases_(earlier.creases.begin(), earlier.creases.end()),
+        blend_faces_(earlier.faces.begin(), earlier.faces.end()), body_(body), options_(options), thorough_(thorough), levels_(thorough ? smoothings.size() : quick_levels) {}
 
   Fillet_pass run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
     Stopwatch watch;
@@ -188,7 +188,7 @@ class Engine {
 
   /// Decides which branches have to wait. Where one goes first, the others roll over its end.
   void set_order() {
-    const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_);
+    const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_, &blend_faces_);
     std::map<Vertex, std::size_t> first;  // corners without a ball at rest: the branch that goes first
     for (const auto& [v, node] : nodes_) {
       if (node.size() == 1 || corner_at(v, surface)) continue;
@@ -269,7 +269,7 @@ class Engine {
   /// Branches between corners: where the faces on one side meet in a sharp edge, two edges are no one curve.
   [[nodiscard]] Curve_network<Blend_mesh> chain(const std::vector<Edge>& edges, double radius) const {
     if (!body_.own_surface) return make_curve_network(*body_.mesh, edges);
-    const Base_surface surface(*body_.mesh, surface_options(smoothings[0], radius), &creases_);
+    const Base_surface surface(*body_.mesh, surface_options(smoothings[0], radius), &creases_, &blend_faces_);
     const Blend_mesh& mesh = *body_.mesh;
     return make_curve_network(mesh, edges, [&](Halfedge in, Halfedge out) {
       // Left of `in` and of `out`, and right of them.
@@ -368,7 +368,7 @@ class Engine {
           *body_.base[operand],
           Base_surface::Options{std::max(options_.smooth_angle, how.smooth_angle),
                                 how.shortest_crease * job.report.radius, how.passes, body_.reversed[operand], round},
-          body_.own_surface ? &creases_ : nullptr);
+          body_.own_surface ? &creases_ : nullptr, body_.own_surface ? &blend_faces_ : nullptr);
     }
     return *surface;
   }
@@ -425,7 +425,8 @@ class Engine {
   Diagnosis roll_to_ends(Job& job, std::size_t index) {
     const double radius = job.report.radius;
     Open_branch& branch = job.open.emplace();
-    branch.surface = std::make_unique<Base_surface>(*body_.mesh, open_surface_options(job.level), &creases_);
+    branch.surface = std::make_unique<Base_surface>(*body_.mesh, open_surface_options(job.level), &creases_,
+                                                    &blend_faces_);
     for (const int end : {0, 1}) {
       const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
       Blend_corner* corner = nodes_.at(job.ends[end]).size() > 1 ? corner_at(job.ends[end], *branch.surface) : nullptr;
@@ -665,7 +666,7 @@ class Engine {
     alone.keep_going = false;
     alone.progress = nullptr;
     Blend_mesh ignored;
-    return Engine(body_, alone, false, creases_of_body_).run({blend}, ignored).outcome.ok();
+    return Engine(body_, alone, false, earlier_).run({blend}, ignored).outcome.ok();
   }
 
   /// `ok` as long as something can be written: all blends, or some of them if that is wanted.
@@ -923,8 +924,9 @@ class Engine {
     return nearest;
   }
 
-  std::vector<Edge> creases_of_body_;
-  std::unordered_set<Edge> creases_;  // those, and what is to be blended
+  Earlier_blends earlier_;
+  std::unordered_set<Edge> creases_;  // those of earlier blends, and what is to be blended
+  std::unordered_set<Face> blend_faces_;
   const Fillet_body& body_;
   const Fillet_options& options_;
   bool thorough_;
@@ -940,8 +942,8 @@ class Engine {
 }  // namespace
 
 Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& blends,
-                        const std::vector<Edge>& creases, Blend_mesh& out, const Fillet_options& options) {
-  return Engine(body, options, true, creases).run(blends, out);
+                        const Earlier_blends& earlier, Blend_mesh& out, const Fillet_options& options) {
+  return Engine(body, options, true, earlier).run(blends, out);
 }
 
 }  // namespace cgal_blend

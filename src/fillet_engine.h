@@ -26,11 +26,16 @@ struct Fillet_pass {
   std::vector<Later_blend::Step> creases;  ///< edges that count as sharp for them, whatever their angle
 };
 
+/// What earlier passes have left on the mesh of a body.
+struct Earlier_blends {
+  std::vector<Edge> creases;  ///< edges that count as sharp
+  std::vector<Face> faces;    ///< of the blends
+};
+
 /// Blends those edges of a body that need not wait; see `fillet_edges`. The faces of the bases that are kept come first
 /// in `out`, in their order.
-/// \param creases edges of the body's mesh that count as sharp
 [[nodiscard]] Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& blends,
-                                      const std::vector<Edge>& creases, Blend_mesh& out,
+                                      const Earlier_blends& earlier, Blend_mesh& out,
                                       const Fillet_options& options);
 
 }  // namespace cgal_blend

@@ -52,14 +52,16 @@ Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_
       Edge_blend blend{find(later.edges), later.radius, later.profile};
       if (!blend.edges.empty()) next.push_back(std::move(blend));  // else an earlier blend has taken it up
     }
-    const std::vector<Edge> creases = find(pass.creases);
+    Earlier_blends earlier{find(pass.creases), {}};
+    for (const Face f : mesh.faces())
+      if (ancestry.origins[f.idx()] == no_origin) earlier.faces.push_back(f);
     if (next.empty()) {
       out = std::move(mesh);
       break;
     }
     Fillet_body rest;
     rest.mesh = rest.base[0] = rest.base[1] = &mesh;
-    pass = fillet_pass(rest, next, creases, out, options);
+    pass = fillet_pass(rest, next, earlier, out, options);
     add(whole.times, pass.outcome.times);
     whole.blends.insert(whole.blends.end(), pass.outcome.blends.begin(), pass.outcome.blends.end());
     if (!pass.outcome.ok()) {
