@@ -85,6 +85,19 @@ class Path_builder {
 
   [[nodiscard]] double snap() const { return snap_; }
 
+  /// A sharp edge of a face, or an end of one, that a point lies on.
+  [[nodiscard]] std::optional<Draft> on_border(Face face, const Vec& p) const {
+    for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(face))) {
+      const Vec s = to_vec(mesh_.point(mesh_.source(h))), e = to_vec(mesh_.point(mesh_.target(h))) - s;
+      const Vec foot = s + std::clamp((p - s).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
+      const bool border = !may_cross(h) || !may_cross(mesh_.next(h));
+      if (border && (p - to_vec(mesh_.point(mesh_.target(h)))).norm() < snap_)
+        return on_vertex(mesh_, {{Station::Kind::face, face, Halfedge(), Vertex(), p}, no_point}, mesh_.target(h));
+      if (!may_cross(h) && (p - foot).norm() < snap_) return snapped(on_edge(mesh_, h, foot));
+    }
+    return std::nullopt;
+  }
+
   /// The first sharp edge on the way from a point inside towards another.
   [[nodiscard]] std::optional<Draft> leave(Face face, const Vec& a, const Vec& b, const Vec& normal) const {
     std::vector<Draft> crossed;
@@ -264,6 +277,7 @@ std::optional<Surface_path> open_path(const Base_surface& surface, const std::ve
 std::optional<Station> leaving_station(const Base_surface& surface, const Surface_point& inside, const Vec& outside,
                                        double snap) {
   const Path_builder builder(surface, snap);
+  if (const auto there = builder.on_border(inside.face, surface.position(inside))) return *there;
   const auto draft = builder.leave(inside.face, surface.position(inside), outside, surface.normal(inside));
   if (!draft) return std::nullopt;
   return builder.snapped(*draft);

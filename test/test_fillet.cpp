@@ -474,16 +474,18 @@ TEST(Fillet, RefusesARadiusThatRunsOffTheFace) {
   EXPECT_TRUE(out.is_empty());
 }
 
-TEST(Fillet, RefusesOpenBranchesAndCorners) {
+TEST(Fillet, RefusesToMapOpenBranches) {
   const Blend_mesh cube = box({0, 0, 0}, {10, 10, 10});
   Blend_mesh out;
   std::vector<Edge> all;
   for (const Edge e : cube.edges())
     if (is_crease(e, cube, 45)) all.push_back(e);
   ASSERT_EQ(all.size(), 12u);
-  EXPECT_EQ(fillet_edges(cube, {{all, 1}}, out, options_of(1)).diagnosis.status, Status::corner);
-  EXPECT_EQ(fillet_edges(cube, {{{all[0]}, 1}}, out, options_of(1)).diagnosis.status, Status::open_branch);
-  EXPECT_EQ(fillet_edges(cube, {{creases_at_height(cube, 10), 1}}, out, options_of(1)).diagnosis.status, Status::corner);
+  Fillet_options options = options_of(1);
+  options.mode = Blend_mode::map;
+  EXPECT_EQ(fillet_edges(cube, {{all, 1}}, out, options).diagnosis.status, Status::open_branch);
+  EXPECT_EQ(fillet_edges(cube, {{{all[0]}, 1}}, out, options).diagnosis.status, Status::open_branch);
+  EXPECT_EQ(fillet_edges(cube, {{creases_at_height(cube, 10), 1}}, out, options_of(1)).diagnosis.status, Status::ok);
   EXPECT_TRUE(out.is_empty());
 }
 
