@@ -149,8 +149,8 @@ Strip tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface, const s
   return strip;
 }
 
-std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double angle) {
-  const double least = std::cos(angle * pi / 180);
+std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double angle, double least) {
+  const double least_cosine = std::cos(angle * pi / 180);
   const std::vector<Triangle>& triangles = strip.triangles;
   const auto is_inner = [&](Vertex v) { return v >= strip.first_inner; };
   const auto profile = [&](Vertex v) { return strip.profile_of[v.idx() - strip.first_inner.idx()]; };
@@ -161,14 +161,18 @@ std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double 
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const Triangle& t = triangles[k];
     const Vec a = to_vec(mesh.point(t[0])), b = to_vec(mesh.point(t[1]));
-    normals.push_back((b - a).cross(to_vec(mesh.point(t[2])) - a).stableNormalized());
+    const Vec c = to_vec(mesh.point(t[2])), cross = (b - a).cross(c - a);
+    normals.push_back(cross.stableNormalized());
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    if (cross.norm() < least * longest) continue;
     for (int i = 0; i < 3; ++i)
       if (runs_across(t[i], t[(i + 1) % 3])) triangle_of.emplace(key(t[i], t[(i + 1) % 3]), k);
   }
   for (std::size_t k = 0; k < triangles.size(); ++k)
     for (int i = 0; i < 3; ++i) {
       const auto other = triangle_of.find(key(triangles[k][(i + 1) % 3], triangles[k][i]));
-      if (other != triangle_of.end() && normals[k].dot(normals[other->second]) < least)
+      const bool counts = other != triangle_of.end() && triangle_of.count(key(triangles[k][i], triangles[k][(i + 1) % 3]));
+      if (counts && normals[k].dot(normals[other->second]) < least_cosine)
         return to_vec(mesh.point(triangles[k][i]));
     }
   return std::nullopt;

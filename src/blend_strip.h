@@ -37,8 +37,9 @@ struct Strip_border {
                                      const std::array<const Strip_border*, 2>& ends = {});
 
 /// A vertex at which a strip is folded along its curve, if there is one: triangles on both sides of an edge that runs
-/// across the strip turn against each other by more than `angle` degrees. How a profile bends does not matter.
-[[nodiscard]] std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double angle);
+/// across the strip turn against each other by more than `angle` degrees. How a profile bends does not matter, nor do slivers whose height is below `least`: between
+/// rim vertices that are near to each other the facets of the base surface decide how they lie.
+[[nodiscard]] std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double angle, double least);
 
 /// How far the rims are off the ball, see `Blend_report`; joints over loops of the spine apart.
 struct Strip_quality {

@@ -65,6 +65,7 @@ constexpr double worst_twist = 60;
 
 // Nor one whose strip is folded, with its rims: angle between neighbouring facets, degrees.
 constexpr double worst_fold = 100;
+constexpr double sliver_of_facet = 0.15;  // height of triangles that do not count
 
 // Positions that the rims cannot be led through may be left out, up to this share.
 constexpr double spare_positions = 0.2;
@@ -458,7 +459,7 @@ class Engine {
   }
 
   [[nodiscard]] double open_snap(double radius) const {
-    return radius * std::min(snap_of_radius, snap_of_facet * sampling(options_.chord_tolerance).finest) / 4;
+    return radius * std::min(snap_of_radius, snap_of_facet * sampling(options_.chord_tolerance).finest);
   }
 
   /// The ball at rest where several branches meet, if all that meets there is to be blended alike.
@@ -779,7 +780,8 @@ class Engine {
         for (const int end : {0, 1}) borders[end] = &ends.at(rims[k].blend)[end].border;
       const std::vector<double> rows = job.open ? job.open->rows : job.surface->rows(options_.chord_tolerance);
       const Strip strip = tessellate_strip(work, *job.surface, {&rims[k], &rims[k + 1]}, rows, borders);
-      if (const auto fold = find_fold(work, strip, worst_fold)) {
+      const double least = sliver_of_facet * sampling(options_.chord_tolerance).finest * job.report.radius;
+      if (const auto fold = find_fold(work, strip, worst_fold, least)) {
         result.diagnosis = folded(job, *fold);
         result.blame = rims[k].blend;
         return;

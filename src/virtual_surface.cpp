@@ -163,7 +163,9 @@ std::vector<double> Virtual_surface::rows(double tolerance) const {
   std::vector<double> result{0};
   const Section& widest = sections_[widest_];
   if (profile_.is_arc()) {
-    const double facets = std::max(2.0, std::ceil(widest.frame.angle / (2 * std::acos(1 - tolerance)) - 1e-9));
+    const double facet = 2 * std::acos(1 - tolerance);
+    // Flat arcs too need the facets of a quarter circle: their volume is as small as the square of their angle.
+    const double facets = std::max(2.0, std::ceil(std::max(widest.frame.angle, pi / 2) / facet - 1e-9));
     for (double k = 1; k <= facets; ++k) result.push_back(k / facets);
     return result;
   }

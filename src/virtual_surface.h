@@ -35,7 +35,8 @@ class Virtual_surface {
   [[nodiscard]] Vec operator()(double t, double u) const;
 
   /// Parameters of rows, 0, the kinks and 1 included and at least one between, whose chords stay within `tolerance`
-  /// radii of the profile with the largest angle. An arc is divided evenly, into the fewest rows; others by halving.
+  /// radii of the profile with the largest angle. An arc is divided evenly, into the fewest
+  /// rows, though no fewer than a quarter circle has; others by halving.
   [[nodiscard]] std::vector<double> rows(double tolerance) const;
 
   /// Parameters of the profile's corners.
