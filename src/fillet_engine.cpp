@@ -5,6 +5,7 @@
 #include "blend_strip.h"
 #include "corner_patch.h"
 #include "fill_loop.h"
+#include "fillet_radius.h"
 #include "map_region.h"
 #include "open_branch.h"
 #include "refusal.h"
@@ -147,15 +148,18 @@ class Engine {
   Diagnosis prepare(const std::vector<Edge_blend>& blends) {
     for (const Edge_blend& blend : blends) creases_.insert(blend.edges.begin(), blend.edges.end());
     for (const Edge_blend& blend : joined(blends)) {
-      const double radius = blend.radius != 0 ? blend.radius : options_.radius;
-      if (!(radius > 0) || !std::isfinite(radius)) return {Status::invalid_parameter, "radius", {}, {}};
-      const Curve_network<Blend_mesh> network = chain(blend.edges, radius);
+      const Radius_law law = radius_law_of(blend, options_);
+      if (Diagnosis bad = law.check(); !bad.ok()) return bad;
+      const Curve_network<Blend_mesh> network = chain(blend.edges, law.largest());
+      const Branch_laws radii = laws_along(*body_.mesh, network, blend, options_);
+      if (!radii.diagnosis.ok()) return radii.diagnosis;
+      if (!law.is_constant()) return {Status::not_supported, "a radius that varies along the curve", {}, {}};
       for (const Branch<Blend_mesh>& branch : network.branches) {
         Job job;
         job.halfedges = branch.halfedges;
         job.profile = blend.profile.value_or(options_.profile);
         job.report.edges = branch.halfedges.size();
-        job.report.radius = radius;
+        job.report.radius = law.largest();
         job.report.closed = job.curve.closed = branch.closed();
         if (!branch.closed())
           job.ends = {network.nodes[branch.first_node].vertex, network.nodes[branch.last_node].vertex};
@@ -184,6 +188,7 @@ class Engine {
       std::size_t into = result.size();
       for (std::size_t k = 0; k < result.size() && into == result.size(); ++k) {
         if (result[k].radius != blend.radius || result[k].profile || blend.profile) continue;
+        if (result[k].law || blend.law || result[k].start || blend.start) continue;
         if (std::any_of(own.begin(), own.end(), [&](Vertex v) { return vertices[k].count(v) != 0; })) into = k;
       }
       if (into == result.size()) {
