@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
+
 namespace cgal_blend {
 
 namespace {
@@ -24,19 +26,21 @@ Eigen::Matrix<double, 3, 2> tangents(const Base_surface::Frame& frame) {
 }  // namespace
 
 Ball_solver::Residual Ball_solver::residual(const Feet& feet, const Ball_guess& guess) const {
-  const Vec a = surfaces_[0]->offset(feet[0], distance_).point;
-  const Vec b = surfaces_[1]->offset(feet[1], distance_).point;
+  const double away = distance(guess.fraction);
+  const Vec a = surfaces_[0]->offset(feet[0], away).point;
+  const Vec b = surfaces_[1]->offset(feet[1], away).point;
   Residual value;
   value << (a - b) / radius(), ((a + b) / 2 - guess.point).dot(guess.direction) / radius();
   return value;
 }
 
 std::array<Vec, 2> Ball_solver::newton_step(const Feet& feet, const Ball_guess& guess, const Residual& value) const {
+  const double away = distance(guess.fraction);
   Eigen::Matrix4d jacobian;
   std::array<Eigen::Matrix<double, 3, 2>, 2> tangent;
   for (int side = 0; side < 2; ++side) {
     tangent[side] = tangents(surfaces_[side]->frame(feet[side].face));
-    const Eigen::Matrix<double, 3, 2> moved = surfaces_[side]->offset(feet[side], distance_).derivative * tangent[side];
+    const Eigen::Matrix<double, 3, 2> moved = surfaces_[side]->offset(feet[side], away).derivative * tangent[side];
     jacobian.block<3, 2>(0, 2 * side) = (side == 0 ? 1 : -1) * moved / radius();
     jacobian.block<1, 2>(3, 2 * side) = guess.direction.transpose() * moved / (2 * radius());
   }
@@ -77,7 +81,11 @@ Ball_solution Ball_solver::solve(const Ball_guess& guess) const {
   Ball_position ball;
   ball.foot = feet;
   for (int side = 0; side < 2; ++side) ball.contact[side] = surfaces_[side]->position(feet[side]);
-  ball.center = (surfaces_[0]->offset(feet[0], distance_).point + surfaces_[1]->offset(feet[1], distance_).point) / 2;
+  const double away = distance(guess.fraction);
+  ball.center = (surfaces_[0]->offset(feet[0], away).point + surfaces_[1]->offset(feet[1], away).point) / 2;
+  ball.radius = std::abs(away);
+  ball.fraction = guess.fraction;
+  ball.across = guess.direction;
   solution.position = ball;
   return solution;
 }

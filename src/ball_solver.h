@@ -13,6 +13,7 @@ struct Ball_guess {
   Vec point;
   Vec direction;
   std::array<Surface_point, 2> foot;
+  double fraction = 0;  ///< of the blending curve's length, for the radius
 };
 
 /// Outcome of one search; `blocked` is where a foot ran into a sharp edge of its surface, if one did.
@@ -25,13 +26,19 @@ struct Ball_solution {
 /// two feet, which walk over the faces of their surfaces.
 class Ball_solver {
  public:
-  /// \param distance signed offset along the outward normals: positive where the ball rolls outside the solid
-  Ball_solver(const std::array<const Base_surface*, 2>& surfaces, double distance)
-      : surfaces_(surfaces), distance_(distance) {}
+  /// \param inside the ball rolls inside the solid
+  Ball_solver(const std::array<const Base_surface*, 2>& surfaces, const Radius_law& law, bool inside)
+      : surfaces_(surfaces), law_(law), sign_(inside ? -1 : 1), radius_(law.largest()) {}
 
   [[nodiscard]] Ball_solution solve(const Ball_guess& guess) const;
-  [[nodiscard]] double radius() const { return distance_ < 0 ? -distance_ : distance_; }
-  [[nodiscard]] double distance() const { return distance_; }
+  /// The largest radius.
+  [[nodiscard]] double radius() const { return radius_; }
+  [[nodiscard]] bool is_constant() const { return law_.is_constant(); }
+
+  /// Of the centre from the surfaces along their outward normals, at a fraction of the curve's length.
+  [[nodiscard]] double distance(double fraction = 0) const {
+    return sign_ * (law_.is_constant() ? radius_ : law_(fraction));
+  }
   [[nodiscard]] const Base_surface& surface(int side) const { return *surfaces_[side]; }
 
  private:
@@ -41,7 +48,8 @@ class Ball_solver {
   [[nodiscard]] std::array<Vec, 2> newton_step(const Feet& feet, const Ball_guess& guess, const Residual& value) const;
 
   std::array<const Base_surface*, 2> surfaces_;
-  double distance_;
+  const Radius_law& law_;
+  double sign_, radius_;
 };
 
 }  // namespace cgal_blend

@@ -178,8 +178,7 @@ std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double 
   return std::nullopt;
 }
 
-Strip_quality measure_rims(const std::vector<Ball_position>& positions, const std::array<const Rim*, 2>& rims,
-                           double radius) {
+Strip_quality measure_rims(const std::vector<Ball_position>& positions, const std::array<const Rim*, 2>& rims) {
   Strip_quality quality;
   for (int side = 0; side < 2; ++side) {
     const Rim& rim = *rims[side];
@@ -188,7 +187,14 @@ Strip_quality measure_rims(const std::vector<Ball_position>& positions, const st
       if (positions[i].mended || positions[j].mended) continue;
       const Vec &a = positions[i].center, &b = positions[j].center;
       for (std::size_t k = rim.path.station_of[i];; k = (k + 1) % rim.path.stations.size()) {
-        const double off = std::abs(off_segment(a, b, rim.path.stations[k].point) - radius) / radius;
+        const Vec& p = rim.path.stations[k].point;
+        double part = std::clamp((p - a).dot(b - a) / std::max((b - a).squaredNorm(), 1e-300), 0.0, 1.0);
+        if (positions[i].radius != positions[j].radius) {  // the spine is slanted against the planes of the balls
+          const double behind = (p - a).dot(positions[i].across), before = (b - p).dot(positions[j].across);
+          if (behind + before > 0) part = std::clamp(behind / (behind + before), 0.0, 1.0);
+        }
+        const double radius = (1 - part) * positions[i].radius + part * positions[j].radius;
+        const double off = std::abs((p - a - part * (b - a)).norm() - radius) / radius;
         if (off > quality.radius_error) {
           quality.radius_error = off;
           quality.worst = rim.path.stations[k].point;

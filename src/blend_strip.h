@@ -49,7 +49,7 @@ struct Strip_quality {
   Vec worst = Vec::Zero();  ///< where the radius error is largest
 };
 [[nodiscard]] Strip_quality measure_rims(const std::vector<Ball_position>& positions,
-                                         const std::array<const Rim*, 2>& rims, double radius);
+                                         const std::array<const Rim*, 2>& rims);
 
 /// Largest angle between the ends of the profiles and the base faces there, degrees.
 [[nodiscard]] double measure_tangency(const Virtual_surface& surface);

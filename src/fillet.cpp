@@ -50,6 +50,7 @@ Diagnosis check_options(const Fillet_options& options) {
   if (options.coarse_faces > 0 && options.mode != Blend_mode::map)
     return wrong("a coarse level keeps the connectivity, so it needs the map mode");
   if (!(options.chord_ratio >= 0 && options.chord_ratio <= 1)) return wrong("chord ratio must lie between 0 and 1");
+  if (options.law && !options.law->check().ok()) return options.law->check();
   if (!(options.radius >= 0) || !std::isfinite(options.radius)) return wrong("radius must be a positive number");
   return {};
 }
@@ -109,7 +110,7 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
   Fillet_outcome outcome;
   outcome.diagnosis = check_options(options);
   if (!outcome.diagnosis.ok()) return outcome;
-  const bool blend = options.radius > 0;
+  const bool blend = options.law || options.radius > 0;
   if (blend && identical(first, second)) return refused(Status::operands_identical);
   Stopwatch watch;
   Blend_mesh a = first, b = second;
@@ -133,7 +134,7 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
     body.reversed = {false, operation == Boolean_operation::difference};
     body.own_surface = false;
     if (blend)
-      outcome = blend_body(body, {{sharp.curves, options.radius, {}}}, out, options);
+      outcome = blend_body(body, {{sharp.curves}}, out, options);
     else
       outcome = sharp_boolean(body, sharp, out);
   }

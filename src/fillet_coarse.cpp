@@ -3,6 +3,7 @@
 
 #include "coarse_level.h"
 #include "fillet_in_passes.h"
+#include "fillet_radius.h"
 #include "mesh_checks.h"
 #include "refusal.h"
 #include "sharp_mesh.h"
@@ -54,18 +55,19 @@ class Curve_collector {
 
   Curves collect(const std::vector<Edge_blend>& blends) {
     for (const Edge_blend& blend : blends) {
+      const Radius_law law = radius_law_of(blend, options_);
       const Curve_network<Blend_mesh> network = make_curve_network(*body_.mesh, blend.edges);
       for (const Branch<Blend_mesh>& branch : network.branches) {
         Blend_report report;
         report.edges = branch.halfedges.size();
         report.closed = branch.closed();
-        report.radius = blend.radius != 0 ? blend.radius : options_.radius;
+        report.radius = law.largest();
         std::vector<Edge> edges;
         report.diagnosis = add(branch, edges);
         if (report.diagnosis.ok()) {
           curves_.report_of.push_back(curves_.reports.size());
           curves_.edges.push_back(std::move(edges));
-          curves_.blends.push_back({{}, blend.radius, blend.profile});
+          curves_.blends.push_back({{}, law.largest(), blend.profile});
         }
         curves_.reports.push_back(std::move(report));
       }
@@ -105,6 +107,14 @@ Diagnosis first_refusal(const std::vector<Blend_report>& reports, bool keep_goin
   if (keep_going && std::any_of(reports.begin(), reports.end(), is_ok)) return {};
   const auto refused = std::find_if_not(reports.begin(), reports.end(), is_ok);
   return refused != reports.end() ? refused->diagnosis : Diagnosis();
+}
+
+/// The decimated curve has another length, and other vertices to start from.
+Diagnosis check_radius(const Edge_blend& blend, const Fillet_options& options) {
+  const Radius_law law = radius_law_of(blend, options);
+  if (Diagnosis bad = law.check(); !bad.ok()) return bad;
+  if (law.is_constant()) return {};
+  return {Status::not_supported, "a radius that varies along the curve, with a coarse level", {}, {}};
 }
 
 // Slivers that a boolean leaves along its curve are thinner than the coarse curve is exact; they may fold when the
@@ -180,6 +190,8 @@ Fillet_outcome refused(Diagnosis diagnosis, const Stage_times& times, std::vecto
 Fillet_outcome fillet_coarse(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                              const Fillet_options& options) {
   Stage_times times;
+  for (const Edge_blend& blend : blends)
+    if (Diagnosis bad = check_radius(blend, options); !bad.ok()) return refused(std::move(bad), times, {});
   const Stopwatch copying;
   Sharp_mesh sharp(body);
   const Compact fine = compact(sharp.mesh);

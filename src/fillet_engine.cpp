@@ -5,6 +5,7 @@
 #include "blend_strip.h"
 #include "corner_patch.h"
 #include "fill_loop.h"
+#include "fillet_radius.h"
 #include "map_region.h"
 #include "open_branch.h"
 #include "refusal.h"
@@ -100,6 +101,8 @@ struct Job {
   std::size_t attempt = 0;  // at mapping
   bool rolled = false;
   std::optional<Diagnosis> first_failure;
+  std::optional<Radius_law> law, own_law;  // along the branch, and as it was given, from this start on
+  std::optional<Vertex> start;
   Profile profile;
   std::optional<Profile> own_profile;  // if it is not that of the options
   std::vector<Ball_position> positions;
@@ -160,16 +163,22 @@ class Engine {
   Diagnosis prepare(const std::vector<Edge_blend>& blends) {
     for (const Edge_blend& blend : blends) creases_.insert(blend.edges.begin(), blend.edges.end());
     for (const Edge_blend& blend : joined(blends)) {
-      const double radius = blend.radius != 0 ? blend.radius : options_.radius;
-      if (!(radius > 0) || !std::isfinite(radius)) return {Status::invalid_parameter, "radius", {}, {}};
-      const Curve_network<Blend_mesh> network = chain(blend.edges, radius);
-      for (const Branch<Blend_mesh>& branch : network.branches) {
+      const Radius_law law = radius_law_of(blend, options_);
+      if (Diagnosis bad = law.check(); !bad.ok()) return bad;
+      const Curve_network<Blend_mesh> network = chain(blend.edges, law.largest());
+      const Branch_laws radii = laws_along(*body_.mesh, network, blend, options_);
+      if (!radii.diagnosis.ok()) return radii.diagnosis;
+      for (std::size_t k = 0; k < network.branches.size(); ++k) {
+        const Branch<Blend_mesh>& branch = network.branches[k];
         Job job;
+        job.law = radii.laws[k];
+        job.own_law = law;
+        job.start = blend.start;
         job.halfedges = branch.halfedges;
         job.own_profile = blend.profile;
         job.profile = blend.profile.value_or(options_.profile);
         job.report.edges = branch.halfedges.size();
-        job.report.radius = radius;
+        job.report.radius = law.largest();
         job.report.closed = job.curve.closed = branch.closed();
         if (!branch.closed())
           job.ends = {network.nodes[branch.first_node].vertex, network.nodes[branch.last_node].vertex};
@@ -196,14 +205,15 @@ class Engine {
       std::size_t convex = 0;
       for (const auto& [i, end] : node) convex += jobs_[i].curve.convex ? 1 : 0;
       const bool odd = 2 * convex < node.size();  // the convexity that is rarer there; concave if neither is
-      const auto rank = [&](std::size_t i) {
-        const bool is_odd = jobs_[i].curve.convex == odd;
-        return std::tuple(convex == 0 || convex == node.size() || is_odd ? 0 : 1, -jobs_[i].report.radius, i);
+      const auto rank = [&](const std::pair<std::size_t, int>& branch) {
+        const Job& job = jobs_[branch.first];
+        const bool is_odd = job.curve.convex == odd;
+        return std::tuple(!job.report.diagnosis.ok(), convex == 0 || convex == node.size() || is_odd ? 0 : 1,
+                          -(*job.law)(branch.second), branch.first);
       };
-      std::size_t best = node.front().first;
-      for (const auto& [i, end] : node)
-        if (jobs_[i].report.diagnosis.ok() && (!jobs_[best].report.diagnosis.ok() || rank(i) < rank(best))) best = i;
-      first[v] = best;
+      first[v] = std::min_element(node.begin(), node.end(), [&](const auto& a, const auto& b) {
+                   return rank(a) < rank(b);
+                 })->first;
     }
     for (bool changed = true; changed;) {
       changed = false;
@@ -233,6 +243,11 @@ class Engine {
     return options;
   }
 
+  static bool wants_the_same(const Edge_blend& a, const Edge_blend& b) {
+    const auto is_plain = [](const Edge_blend& blend) { return !blend.profile && !blend.law && !blend.start; };
+    return is_plain(a) && is_plain(b) && a.radius == b.radius;
+  }
+
   /// Blends that meet and want the same are one, so that their curves run on into each other.
   [[nodiscard]] std::vector<Edge_blend> joined(const std::vector<Edge_blend>& blends) const {
     if (!body_.own_surface) return blends;
@@ -248,7 +263,7 @@ class Engine {
         for (const int end : {0, 1}) {
           std::vector<std::size_t>& here = at[body_.mesh->vertex(e, end)];
           for (const std::size_t k : here) {
-            if (blends[k].radius != blends[i].radius || blends[k].profile || blends[i].profile) continue;
+            if (!wants_the_same(blends[k], blends[i])) continue;
             const std::size_t a = root(i), b = root(k);
             group[std::max(a, b)] = std::min(a, b);
           }
@@ -413,13 +428,13 @@ class Engine {
     steps.chord_ratio = options_.chord_ratio;
     steps.mend_loops = options_.mend_spine;
     const Curve_kind kind = job.profile.is_sharp() ? Curve_kind::round : Curve_kind::crease;
-    Ball_path path = roll_ball(surfaces, job.curve, kind, radius, steps);
+    Ball_path path = roll_ball(surfaces, job.curve, kind, *job.law, steps);
     if (!path.diagnosis.ok()) return path.diagnosis;
     job.positions = std::move(path.positions);
     job.report.loops = path.loops;
     const Diagnosis laid = lay_rims(job, index, surfaces, snap);
     if (!laid.ok()) return laid;
-    job.surface.emplace(job.positions, surfaces, radius, job.profile);
+    job.surface.emplace(job.positions, surfaces, job.profile);
     return judge(job);
   }
 
@@ -449,7 +464,7 @@ class Engine {
     steps.samples = options_.samples;
     steps.chord_ratio = options_.chord_ratio;
     Open_roll roll =
-        roll_open(branch, job.curve, radius, job.profile, options_.chord_tolerance, steps, open_snap(radius));
+        roll_open(branch, job.curve, *job.law, job.profile, options_.chord_tolerance, steps, open_snap(radius));
     if (!roll.diagnosis.ok()) return roll.diagnosis;
     job.positions = std::move(roll.positions);
     job.surface = std::move(roll.surface);
@@ -470,9 +485,10 @@ class Engine {
     const Blend_mesh& mesh = *body_.mesh;
     const auto& node = nodes_.at(v);
     const Job& first = jobs_[node.front().first];
+    const double radius = (*first.law)(node.front().second);
     for (const auto& [i, end] : node)
       if (!jobs_[i].report.diagnosis.ok() || jobs_[i].curve.convex != first.curve.convex ||
-          jobs_[i].report.radius != first.report.radius)
+          (*jobs_[i].law)(end) != radius)
         return nullptr;
     const auto into = [&](std::pair<std::size_t, int> branch) {
       const Job& job = jobs_[branch.first];
@@ -491,7 +507,6 @@ class Engine {
         sectors.back().push_back(h);
       } while (surface.crossable(h));
     } while (h != into(node.front()));
-    const double radius = first.report.radius;
     auto ball = find_corner_ball(surface, sectors, first.curve.convex ? -radius : radius);
     if (!ball) return nullptr;
     corner = {v, std::move(order), std::move(sectors), std::move(*ball), {}};
@@ -526,7 +541,7 @@ class Engine {
 
   /// What comes too far off the ball, or leaves the surfaces at an angle, is no blend.
   Diagnosis judge(Job& job) {
-    const Strip_quality quality = measure_rims(job.positions, {&job.rims[0], &job.rims[1]}, job.report.radius);
+    const Strip_quality quality = measure_rims(job.positions, {&job.rims[0], &job.rims[1]});
     job.report.radius_error = quality.radius_error;
     job.report.tangency_deg = quality.tangency_deg;
     if (quality.radius_error > worst_radius_error || quality.tangency_deg > worst_tangency ||
@@ -609,7 +624,10 @@ class Engine {
       if (!job.waits || !job.report.diagnosis.ok()) continue;
       place[i] = result.later.size();
       Later_blend& later = result.later.emplace_back();
-      later.radius = job.report.radius;
+      if (job.law->is_constant())
+        later.radius = job.report.radius;
+      else
+        later.law = job.law;
       later.profile = job.own_profile;
       for (const Halfedge h : job.halfedges) {
         const auto divided = trimming.divided.find(work.edge(h));
@@ -662,6 +680,10 @@ class Engine {
 
   [[nodiscard]] bool fits(const Job& job, double radius) const {
     Edge_blend blend{{}, radius, job.profile};
+    if (!job.law->is_constant()) {
+      blend.law = job.own_law->scaled(radius / job.report.radius);
+      blend.start = job.start;
+    }
     for (const Halfedge h : job.halfedges) blend.edges.push_back(body_.mesh->edge(h));
     Fillet_options alone = options_;
     alone.keep_going = false;

@@ -15,6 +15,7 @@ struct Later_blend {
   using Step = std::pair<Point_3, Point_3>;  ///< ends of an edge of that mesh, if it is one still
 
   double radius = 0;
+  std::optional<Radius_law> law;  ///< along what is left of the branch
   std::optional<Profile> profile;
   std::vector<Step> edges;
 };

@@ -49,7 +49,7 @@ Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_
     const Edge_finder find(mesh);
     std::vector<Edge_blend> next;
     for (const Later_blend& later : pass.later) {
-      Edge_blend blend{find(later.edges), later.radius, later.profile};
+      Edge_blend blend{find(later.edges), later.radius, later.profile, later.law};
       if (!blend.edges.empty()) next.push_back(std::move(blend));  // else an earlier blend has taken it up
     }
     Earlier_blends earlier{find(pass.creases), {}};

@@ -12,7 +12,10 @@ namespace {
 
 Fillet_options options_of_step(const Fillet_options& options, const Part& part, std::size_t step, std::size_t steps) {
   Fillet_options result = options;
-  if (part.radius != 0) result.radius = part.radius;
+  if (part.law || part.radius != 0) {
+    result.radius = part.radius;
+    result.law = part.law;
+  }
   if (options.progress)
     result.progress = [&options, step, steps](double fraction) {
       return options.progress((static_cast<double>(step) + fraction) / static_cast<double>(steps));

@@ -34,7 +34,8 @@ void end_at(std::vector<Ball_position>& positions, const Ball_position& last, in
   }
 }
 
-Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& corner, Halfedge into, int left) {
+Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& corner, Halfedge into, int left,
+                             int end) {
   const std::size_t n = corner.branches.size();
   std::size_t k = 0;
   const Blend_mesh& mesh = surface.mesh();
@@ -44,10 +45,12 @@ Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& co
                   }) == corner.sectors[k].end())
     ++k;
   Ball_position p;
+  p.fraction = end;
   p.center = corner.ball.center;
   p.foot[left] = corner.ball.foot[(k + n - 1) % n];
   p.foot[1 - left] = corner.ball.foot[k % n];
   for (const int side : {0, 1}) p.contact[side] = surface.position(p.foot[side]);
+  p.radius = (p.contact[0] - p.center).norm();
   return p;
 }
 
@@ -98,10 +101,11 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
 
 }  // namespace
 
-Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, const Profile& profile,
+Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& law, const Profile& profile,
                     double chord_tolerance, const Sampling& steps, double snap) {
   Open_roll result;
   Base_surface& surface = *branch.surface;
+  const double radius = law.largest();
   const std::array<const Base_surface*, 2> surfaces{&surface, &surface};
   for (const Branch_end& end : branch.ends) {
     curve.overhang[end.end] = 0;
@@ -109,13 +113,13 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, cons
     curve.overhang[end.end] = end.reach;
     for (const auto& chain : end.border) surface.extend(chain, end.direction, 2 * end.reach);
   }
-  Ball_path path = roll_ball(surfaces, curve, Curve_kind::crease, radius, steps);
+  Ball_path path = roll_ball(surfaces, curve, Curve_kind::crease, law, steps);
   result.diagnosis = path.diagnosis;
   if (!path.diagnosis.ok()) return result;
   const double facet = steps.finest * radius;
   for (const Branch_end& end : branch.ends) {
     if (end.kind == Branch_end::Kind::ball)
-      end_at(path.positions, ball_in_corner(surface, *branch.corner[end.end], end.into, end.left()), end.end,
+      end_at(path.positions, ball_in_corner(surface, *branch.corner[end.end], end.into, end.left(), end.end), end.end,
              end.direction, clear_of_facet * facet);
     if (end.kind == Branch_end::Kind::fade)
       end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
@@ -126,7 +130,7 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, cons
     return result;
   }
   result.positions = std::move(path.positions);
-  const Virtual_surface& blend = result.surface.emplace(result.positions, surfaces, radius, profile, false);
+  const Virtual_surface& blend = result.surface.emplace(result.positions, surfaces, profile, false);
   branch.rows = blend.rows(chord_tolerance);
   for (const int end : {0, 1}) {
     Strip_end_result ended = end_strip(surface, branch.ends[end], result.positions, blend, branch.rows,

@@ -41,7 +41,7 @@ struct Open_roll {
   std::optional<Virtual_surface> surface;
   std::array<Rim, 2> rims;
 };
-[[nodiscard]] Open_roll roll_open(Open_branch& branch, Blend_curve& curve, double radius, const Profile& profile,
+[[nodiscard]] Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& law, const Profile& profile,
                                   double chord_tolerance, const Sampling& steps, double snap);
 
 /// What the end of a strip adds to the mesh: curves to cut along, and triangles.

@@ -196,11 +196,14 @@ class Roller {
     const double radius = solver_.radius();
     const double length = step_length(a, b);
     if (a.mended || b.mended || depth >= deepest_split || length < 2 * sampling_.finest * radius) return;
-    const Ball_guess guess{(a.center + b.center) / 2, (b.center - a.center).normalized(), a.foot};
+    // Where the radius varies the spine is slanted against the planes in which the law holds.
+    const Vec across = solver_.is_constant() ? Vec(b.center - a.center) : Vec(a.across + b.across);
+    const double ahead = b.fraction < a.fraction ? b.fraction + 1 : b.fraction;  // once round
+    const Ball_guess guess{(a.center + b.center) / 2, across.normalized(), a.foot, (a.fraction + ahead) / 2};
     Ball_solution solution = solver_.solve(guess);
     if (!solution.position) {
       const std::optional<Vec> blocked = solution.blocked;
-      solution = solver_.solve({guess.point, guess.direction, b.foot});
+      solution = solver_.solve({guess.point, guess.direction, b.foot, guess.fraction});
       if (!solution.position && !solution.blocked) solution.blocked = blocked;
     }
     if (!solution.position) {
@@ -261,8 +264,9 @@ Sampling sampling(double chord_tolerance) {
 }
 
 Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
-                    double radius, const Sampling& sampling) {
-  const Ball_solver solver(surfaces, curve.convex ? -radius : radius);
+                    const Radius_law& law, const Sampling& sampling) {
+  const Ball_solver solver(surfaces, law, curve.convex);
+  const double radius = law.largest();
   if (!curve.closed) return roll_open(solver, curve, sampling);
   const Curve_locator locator(curve.points);
   const Guess_spacing spacing{sampling.coarsest * radius, sampling.samples};
@@ -280,7 +284,8 @@ Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Bl
       }
     return path;
   }
-  const std::vector<Ball_guess> guesses = guess_from_offsets(solver, curve, locator, spacing);
+  std::vector<Ball_guess> guesses;
+  if (law.is_constant()) guesses = guess_from_offsets(solver, curve, locator, spacing);
   if (!guesses.empty()) {
     Ball_path path = roll(guesses);
     if (path.diagnosis.ok()) return path;

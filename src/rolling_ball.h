@@ -5,6 +5,7 @@
 #include "base_surface.h"
 #include "blend_curve.h"
 
+#include <cgal_blend/radius_law.h>
 #include <cgal_blend/status.h>
 
 #include <array>
@@ -17,6 +18,9 @@ struct Ball_position {
   Vec center;
   std::array<Surface_point, 2> foot;
   std::array<Vec, 2> contact;
+  double radius = 0;
+  Vec across = Vec::Zero();  ///< normal of the plane that it was sought in
+  double fraction = 0;  ///< of the blending curve's length, for the radius
   bool mended = false;  ///< of a joint over a loop of the spine: the contacts are the nearest points
 };
 
@@ -60,8 +64,9 @@ enum class Curve_kind {
 /// solution of x_0(u) = x_1(v) on the exact offsets p + d n/|n|, in a plane across the guess. Where the spine turns more
 /// sharply than the ball it crosses itself; such loops are cut off and the ends joined (`cut_loop`).
 /// \param surfaces the base surfaces left and right of the curve; may be the same object
+/// \param law the radius along the curve; in each plane across the guess it is that of the curve there
 Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
-                    double radius, const Sampling& sampling);
+                    const Radius_law& law, const Sampling& sampling);
 
 }  // namespace cgal_blend
 

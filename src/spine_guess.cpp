@@ -189,13 +189,15 @@ std::vector<Ball_guess> guess_from_wedges(const Ball_solver& solver, const Blend
       guess.foot[side] = foot_beside(solver, curve, edge, side, at);
       normal[side] = solver.surface(side).normal(guess.foot[side]);
     }
-    const Vec to_center = solver.distance() * (normal[0] + normal[1]) / std::max(0.05, 1 + normal[0].dot(normal[1]));
+    guess.fraction = std::clamp(s / arc.length(), 0.0, 1.0);
+    const double distance = solver.distance(guess.fraction);
+    const Vec to_center = distance * (normal[0] + normal[1]) / std::max(0.05, 1 + normal[0].dot(normal[1]));
     guess.direction = (arc.mean(s + spacing, window) - arc.mean(s - spacing, window)).normalized();
     guess.point = arc.mean(s, window) + to_center;
     if (!curve.closed && (s < 0 || s > arc.length()))
       for (int side = 0; side < 2; ++side) {  // the way to the contact leads round the end of the curve
         const Base_surface& surface = solver.surface(side);
-        guess.foot[side] = surface.walk(guess.foot[side], to_center - solver.distance() * normal[side]).end;
+        guess.foot[side] = surface.walk(guess.foot[side], to_center - distance * normal[side]).end;
         guess.foot[side] = surface.walk(guess.foot[side], s < 0 ? Vec(at - arc(0)) : Vec(at - arc(arc.length()))).end;
       }
     guesses.push_back(guess);

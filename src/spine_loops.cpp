@@ -228,6 +228,7 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
                          search_reach * radius);
   const auto joint_at = [&](const Vec& center, const std::array<Vec, 2>& near) {
     Ball_position joint;
+    joint.radius = radius;
     joint.center = center;
     joint.mended = true;
     for (int side = 0; side < 2; ++side) {

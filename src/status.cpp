@@ -23,6 +23,7 @@ Wording wording(Status status) noexcept {
   switch (status) {
     case S::ok: return {"ok", "Everything is in order", C::ok};
     case S::invalid_parameter: return {"invalid_parameter", "An option has a value outside its range", C::usage};
+    case S::not_supported: return {"not_supported", "This is not supported in this version", C::blend};
     case S::cancelled: return {"cancelled", "The operation was cancelled", C::blend};
 
     case S::input_empty: return {"input_empty", "The mesh has no faces", C::input};

@@ -23,11 +23,11 @@ constexpr double end_step = 1e-6;  // of the parameter, for tangents at the ends
 }  // namespace
 
 Virtual_surface::Virtual_surface(const std::vector<Ball_position>& positions,
-                                 const std::array<const Base_surface*, 2>& surfaces, double radius, Profile profile,
+                                 const std::array<const Base_surface*, 2>& surfaces, Profile profile,
                                  bool closed)
     : profile_(std::move(profile)), closed_(closed), start_{0} {
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    sections_.push_back(section_at(positions[i], surfaces, radius));
+    sections_.push_back(section_at(positions[i], surfaces));
     if (sections_[i].frame.angle > sections_[widest_].frame.angle) widest_ = i;
     if (!closed_ && i + 1 == positions.size()) break;
     start_.push_back(start_.back() + (positions[(i + 1) % positions.size()].center - positions[i].center).norm());
@@ -36,8 +36,7 @@ Virtual_surface::Virtual_surface(const std::vector<Ball_position>& positions,
 }
 
 Virtual_surface::Section Virtual_surface::section_at(const Ball_position& position,
-                                                     const std::array<const Base_surface*, 2>& surfaces,
-                                                     double radius) {
+                                                     const std::array<const Base_surface*, 2>& surfaces) {
   Section section;
   section.centre = position.center;
   section.contact_1 = position.contact[0];
@@ -53,7 +52,7 @@ Virtual_surface::Section Virtual_surface::section_at(const Ball_position& positi
   for (int side = 0; side < 2; ++side) {
     const Base_surface& surface = *surfaces[side];
     const Vec across = axis.cross(arm[side]).stableNormalized();
-    section.frame.curvature[side] = radius * curvature_towards_ball(surface, position.foot[side], arm[side], across);
+    section.frame.curvature[side] = position.radius * curvature_towards_ball(surface, position.foot[side], arm[side], across);
     section.face_normal[side] = surface.frame(position.foot[side].face).face_normal;
   }
   return section;

@@ -20,7 +20,7 @@ namespace cgal_blend {
 class Virtual_surface {
  public:
   Virtual_surface(const std::vector<Ball_position>& positions, const std::array<const Base_surface*, 2>& surfaces,
-                  double radius, Profile profile, bool closed = true);
+                  Profile profile, bool closed = true);
 
   [[nodiscard]] std::size_t size() const { return sections_.size(); }
   [[nodiscard]] double length() const { return start_.back(); }
@@ -59,7 +59,7 @@ class Virtual_surface {
     std::array<Vec, 2> face_normal;
   };
   [[nodiscard]] static Section section_at(const Ball_position& position,
-                                          const std::array<const Base_surface*, 2>& surfaces, double radius);
+                                          const std::array<const Base_surface*, 2>& surfaces);
   [[nodiscard]] static Vec place(const Section& section, const Profile_point& p);
   [[nodiscard]] double even(double u) const;
   void make_even();

@@ -57,6 +57,14 @@ class Cli_refusals : public Cli_runner, public testing::WithParamInterface<Refus
     write("text_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": "wide"}]})");
     write("no_radius.json", R"({"blends": [{"polyline": [0, 1]}]})");
     write("list_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1], [1, 2]]}]})");
+    write("closed_radius.json", R"({"blends": [{"polyline": [0, 1, 3, 2, 0], "radius": [[0, 1], [1, 2]]}]})");
+    write("falling_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0.5, 1], [0.5, 2]]}]})");
+    write("far_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1], [50, 2]]}]})");
+    write("zero_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1], [1, 0]]}]})");
+    write("one_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1]]}]})");
+    write("empty_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": []}]})");
+    write("bare_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [1, 2]}]})");
+    write("text_in_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1], [1, "wide"]]}]})");
     write("open.json", R"({"blends": [{"polyline": [0, 1], "radius": 0.1}]})");
     write("bad.selection.txt", "\n\n0 1 2\n");
     write("no_edge.selection.txt", "\n\n0 1 0 7\n");
@@ -152,6 +160,27 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"RadiiWithAZero", "union box.off overlap.off far.off -o OUT --radius 1,0", 2, "greater than 0", "invalid_parameter"},
   {"RadiiWithAGap", "union box.off overlap.off far.off -o OUT --radius 1,", 2, "'' is not a number", "invalid_parameter"},
   {"RadiiOfAFillet", box_fillet + "--radius 1,2", 2, "'1,2' is not a number", "invalid_parameter"},
+  {"LawOfOnePair", box_fillet + "--radius 0:1", 2, "two pairs", "invalid_parameter"},
+  {"LawThatDoesNotAscend", box_fillet + "--radius 0:1,0.6:2,0.5:1", 2, "must ascend", "invalid_parameter"},
+  {"LawWithAFractionTwice", box_fillet + "--radius 0:1,0.5:2,0.5:1", 2, "must ascend", "invalid_parameter"},
+  {"LawInPercent", box_fillet + "--radius 0:1,50:2,100:1", 2, "between 0 and 1", "invalid_parameter"},
+  {"LawBeforeTheStart", box_fillet + "--radius -0.1:1,1:2", 2, "between 0 and 1", "invalid_parameter"},
+  {"LawWithAZero", box_fillet + "--radius 0:1,1:0", 2, "greater than 0", "invalid_parameter"},
+  {"LawWithText", box_fillet + "--radius 0:1,1:wide", 2, "'wide' is not a number", "invalid_parameter"},
+  {"LawWithNan", box_fillet + "--radius nan:1,1:2", 2, "'nan' is not a number", "invalid_parameter"},
+  {"LawWithANumber", box_fillet + "--radius 0:1,2", 2, "'2' is no pair", "invalid_parameter"},
+  {"LawOfTriples", box_fillet + "--radius 0:1:2,1:1:2", 2, "'0:1:2' is no pair", "invalid_parameter"},
+  {"LawWithAGap", box_fillet + "--radius 0:1,1:2,", 2, "'' is no pair", "invalid_parameter"},
+  {"LawOfABoolean", "union box.off overlap.off far.off -o OUT --radius 1:2,0:3", 2, "must ascend", "invalid_parameter"},
+  {"LawThatDoesNotClose", "union plate.off boss.off -o OUT --radius 0:2,1:3", 2, "end as it begins", "invalid_parameter"},
+  {"BlendsLawThatDoesNotClose", "fillet box.off -o OUT --blends closed_radius.json", 2, "end as it begins", "invalid_parameter"},
+  {"BlendsLawThatDoesNotAscend", "fillet box.off -o OUT --blends falling_radius.json", 2, "blend 1: the fractions", "invalid_parameter"},
+  {"BlendsLawInPercent", "fillet box.off -o OUT --blends far_radius.json", 2, "between 0 and 1", "invalid_parameter"},
+  {"BlendsLawWithAZero", "fillet box.off -o OUT --blends zero_radius.json", 2, "greater than 0", "invalid_parameter"},
+  {"BlendsLawOfOnePair", "fillet box.off -o OUT --blends one_radius.json", 2, "two pairs", "invalid_parameter"},
+  {"BlendsLawOfNoPair", "fillet box.off -o OUT --blends empty_radius.json", 2, "two pairs", "invalid_parameter"},
+  {"BlendsLawOfNumbers", "fillet box.off -o OUT --blends bare_radius.json", 2, "1 in 'radius' is no pair", "invalid_parameter"},
+  {"BlendsLawWithText", "fillet box.off -o OUT --blends text_in_radius.json", 2, "is no pair", "invalid_parameter"},
   {"TooManyBodies", "union box.off box.off box.off box.off box.off box.off box.off box.off ninth.off -o OUT", 2, "at most 8 bodies", "invalid_parameter"},
   {"BlendsRadius", "fillet box.off -o OUT --blends bad_radius.json", 2, "greater than 0", "invalid_parameter"},
   {"BlendsRadiusText", "fillet box.off -o OUT --blends text_radius.json", 2, "not a number", "invalid_parameter"},
@@ -206,7 +235,8 @@ INSTANTIATE_TEST_SUITE_P(Input, Cli_refusals, testing::ValuesIn(std::vector<Refu
 
 INSTANTIATE_TEST_SUITE_P(Blend, Cli_refusals, testing::ValuesIn(std::vector<Refusal>{
   {"RadiusList", box_fillet + "--radius 0:1,0.5:2,1:1", 4, "not supported in this version", "not_supported"},
-  {"RadiusListOfABoolean", "union plate.off boss.off -o OUT --radius 0:2,1:3", 4, "not supported in this version", "not_supported"},
+  {"RadiusListOfABoolean", "union plate.off boss.off -o OUT --radius 0:2,0.5:3", 4, "not supported in this version", "not_supported"},
+  {"RadiusListOfACoarseLevel", "union plate.off boss.off -o OUT --coarse 500 --radius 0:2,0.5:3", 4, "coarse level", "not_supported"},
   {"BlendsRadiusList", "fillet box.off -o OUT --blends list_radius.json", 4, "not supported in this version", "not_supported"},
   {"NoSharpEdge", "fillet box.off -o OUT --radius 1 --sharp-angle 91", 4, "No edge", "no_edges_selected"},
   {"NoBlends", "fillet box.off -o OUT --blends none.json", 4, "none.json", "no_edges_selected"},

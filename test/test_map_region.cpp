@@ -46,6 +46,7 @@ struct Foot {
       const Vec out{std::cos(around), std::sin(around), 0};
       Ball_position p;
       p.center = (R + r) * out + Vec{0, 0, r};
+      p.radius = r;
       p.contact = {R * out + Vec{0, 0, r}, (R + r) * out};  // anticlockwise: the boss is on the left, the plate right
       p.foot = {Surface_point{*mesh.faces().begin(), Vec::Constant(1.0 / 3)},
                 Surface_point{*mesh.faces().begin(), Vec::Constant(1.0 / 3)}};
@@ -54,7 +55,7 @@ struct Foot {
   }
   [[nodiscard]] Virtual_surface surface(const Profile& profile = Arc_profile()) const {
     const Base_surface base(mesh, {});
-    return Virtual_surface(positions, {&base, &base}, r, profile);
+    return Virtual_surface(positions, {&base, &base}, profile);
   }
   [[nodiscard]] Region_mapping map(const Virtual_surface& surface, std::size_t attempt = 0) const {
     return map_region(mesh, curve, between, surface, positions, attempt);

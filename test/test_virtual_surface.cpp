@@ -30,13 +30,14 @@ class Ring {
       const Vec out{std::cos(around), std::sin(around), 0}, down{0, 0, -1};
       Ball_position p;
       p.center = (R + r) * out + Vec{0, 0, r};
+      p.radius = r;
       p.contact = {p.center + r * down, p.center + r * (std::cos(angles_[i]) * down - std::sin(angles_[i]) * out)};
       p.foot = {nearest(floor_, p.contact[0]), nearest(pillar_, p.contact[1])};
       positions_.push_back(p);
     }
   }
   [[nodiscard]] Virtual_surface surface(const Profile& profile) const {
-    return Virtual_surface(positions_, {&floor_, &pillar_}, r, profile);
+    return Virtual_surface(positions_, {&floor_, &pillar_}, profile);
   }
   [[nodiscard]] const Ball_position& position(std::size_t i) const { return positions_[i]; }
   [[nodiscard]] double angle(std::size_t i) const { return angles_[i]; }

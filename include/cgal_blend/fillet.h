@@ -4,6 +4,7 @@
 
 #include <cgal_blend/blend_mesh.h>
 #include <cgal_blend/profile.h>
+#include <cgal_blend/radius_law.h>
 #include <cgal_blend/status.h>
 
 #include <array>
@@ -25,7 +26,9 @@ enum class Blend_mode {
 /// Options of the rolling-ball blends; one set for all curves of a call.
 struct Fillet_options {
   double radius = 0;  ///< ball radius, length units, > 0
-  Profile profile;    ///< cross-section; the arc of the ball if not set
+  /// Radius that varies along each curve, instead of `radius`. Where s = 0 lies: see `Edge_blend_of::start`.
+  std::optional<Radius_law> law;
+  Profile profile;  ///< cross-section; the arc of the ball if not set
   Blend_mode mode = Blend_mode::stitch;
   /// Map mode: blend the mesh decimated to about so many faces, then restore the detail of the fine one; 0: off.
   std::size_t coarse_faces = 0;
@@ -49,8 +52,8 @@ struct Blend_report {
   Diagnosis diagnosis;
   std::size_t edges = 0;  ///< edges of the blending curve
   bool closed = true;
-  bool convex = false;  ///< true: material removed; false: material added
-  double radius = 0;
+  bool convex = false;      ///< true: material removed; false: material added
+  double radius = 0;        ///< the largest where it varies
   double radius_error = 0;  ///< largest | |x - spine| - r | / r over the linkage curves, joints over loops apart
   double tangency_deg =
       0;  ///< largest angle across the linkage curves between the blend's tangent plane and the base face, degrees
@@ -87,12 +90,17 @@ struct Fillet_outcome {
   [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
 };
 
-/// The edges of one blend with their radius.
+/// The edges of one blend with their radius, constant or varying along each curve that they form.
 template <class Graph>
 struct Edge_blend_of {
   std::vector<typename boost::graph_traits<Graph>::edge_descriptor> edges;  ///< of the input mesh, in any order
   double radius = 0;                                                        ///< 0: the radius of the options
   std::optional<Profile> profile{};                                         ///< none: the profile of the options
+  std::optional<Radius_law> law{};  ///< instead of `radius`; none: that, or the radius or law of the options
+  /// Where the law's s = 0 lies: an end of an open curve, from which s runs to the other one, or any vertex of a closed
+  /// curve, from which s runs as the branch of `make_curve_network` does. None, and for curves that it is not on: the
+  /// first vertex of the branch.
+  std::optional<typename boost::graph_traits<Graph>::vertex_descriptor> start{};
 };
 using Edge_blend = Edge_blend_of<Blend_mesh>;
 
@@ -102,6 +110,7 @@ struct Part_of {
   const Graph* mesh = nullptr;                              ///< lives as long as the call
   Boolean_operation operation = Boolean_operation::union_;  ///< of the body as it is by then, and `mesh`
   double radius = 0;                                        ///< 0: the radius of the options
+  std::optional<Radius_law> law{};                          ///< instead of `radius`, as in `Edge_blend_of`
 };
 using Part = Part_of<Blend_mesh>;
 

@@ -117,7 +117,8 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
     return internal::refused<Output>(std::move(bad), times);
   std::vector<Edge_blend> copied_blends;
   for (const Edge_blend_of<Graph>& blend : blends) {
-    copied_blends.push_back({{}, blend.radius, blend.profile});
+    copied_blends.push_back({{}, blend.radius, blend.profile, blend.law});
+    if (blend.start) copied_blends.back().start = copy.copy_of_vertex(*blend.start);
     for (const auto e : blend.edges) copied_blends.back().edges.push_back(copy.copy_of_edge(e));
   }
   Blend_mesh result;
@@ -172,7 +173,7 @@ template <class Graph, class Part_graph, class Output,
     const std::string which = "part " + std::to_string(copies.size());
     if (Diagnosis bad = internal::check_input(copies.back().mesh(), options, which.c_str(), times); !bad.ok())
       return internal::refused<Output>(std::move(bad), times);
-    copied_parts.push_back({&copies.back().mesh(), part.operation, part.radius});
+    copied_parts.push_back({&copies.back().mesh(), part.operation, part.radius, part.law});
   }
   Blend_mesh result;
   const Fillet_outcome outcome =

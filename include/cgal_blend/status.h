@@ -14,6 +14,7 @@ enum class Status {
   ok,
   // The call itself.
   invalid_parameter,
+  not_supported,
   cancelled,
   // The input meshes.
   input_empty,

@@ -35,8 +35,20 @@ void read_polyline(const Json& polyline, const std::string& where, Blend_request
     malformed(where, "'polyline' mixes vertex indices and points");
 }
 
-double read_radius(const Json& radius, const std::string& where) {
-  if (radius.is_array()) throw unsupported_failure(where + ": a radius that varies along the curve");
+bool is_pair(const Json& item) {
+  return item.is_array() && item.size() == 2 && item[0].is_number() && item[1].is_number();
+}
+
+Radius_law read_radius(const Json& radius, const std::string& where) {
+  if (radius.is_array()) {
+    std::vector<Piecewise_radius::Pair> pairs;
+    for (const Json& item : radius) {
+      if (!is_pair(item))
+        throw usage_failure(where + ": " + item.dump() + " in 'radius' is no pair [fraction, radius]");
+      pairs.push_back({item[0].get<double>(), item[1].get<double>()});
+    }
+    return make_law(pairs, where);
+  }
   if (!radius.is_number()) throw usage_failure(where + ": the radius " + radius.dump() + " is not a number");
   require_radius(radius.get<double>(), where);
   return radius.get<double>();

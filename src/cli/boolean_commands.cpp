@@ -47,7 +47,7 @@ void compute(const Boolean_options& o, Boolean_operation operation, Report& repo
     throw usage_failure("at most " + std::to_string(most_further_bodies + 1) + " bodies, not " +
                         std::to_string(files.size() + 1));
   const Fillet_options fillet = o.ball.checked_but_radius();
-  const std::vector<double> radii = o.ball.checked_radii(files.size());
+  const std::vector<std::optional<Radius_law>> radii = o.ball.checked_radii(files.size());
   const std::vector<Transform> placements = parse_transforms(o, files.size());
   const Blend_mesh first = read_operand(o.a, report.input, report);
   std::deque<Blend_mesh> meshes;  // their addresses stay
@@ -55,7 +55,7 @@ void compute(const Boolean_options& o, Boolean_operation operation, Report& repo
   report.more_inputs.resize(files.size());
   for (std::size_t k = 0; k < files.size(); ++k) {
     meshes.push_back(read_operand(files[k], report.more_inputs[k], report, placements[k]));
-    parts.push_back({&meshes.back(), operation, radii[k]});
+    parts.push_back({&meshes.back(), operation, 0, radii[k]});
   }
   blend_and_write(
       [&](Blend_mesh& out, const Fillet_options& with) {
@@ -88,7 +88,8 @@ void add_command(CLI::App& app, int& exit_status, const std::string& word, Boole
   add_curvature_output(*command, options->output);
   add_transforms(*command, *options);
   add_ball_options(*command, options->ball,
-                   "Radius of the ball, length units of the mesh; or one per body after the first, with commas");
+                   "Radius of the ball, length units of the mesh; or one per body after the first, with commas; or "
+                   "FRACTION:RADIUS,FRACTION:RADIUS,... along each curve");
   command->callback([=, &exit_status] {
     std::vector<std::string> inputs = options->after_first();
     inputs.insert(inputs.begin(), options->a);

@@ -4,6 +4,7 @@
 #include "failure.h"
 
 #include <cgal_blend/creases.h>
+#include <cgal_blend/curve_network.h>
 #include <cgal_blend/polyline.h>
 #include <cgal_blend/selection.h>
 
@@ -24,10 +25,7 @@ Vertex vertex_with_index(const Blend_mesh& mesh, std::size_t index, const std::s
   return Vertex(static_cast<Blend_mesh::size_type>(index));
 }
 
-std::vector<Edge> edges_along(const Blend_mesh& mesh, const std::vector<std::size_t>& indices,
-                              const std::string& where) {
-  std::vector<Vertex> chain;
-  for (std::size_t index : indices) chain.push_back(vertex_with_index(mesh, index, where));
+std::vector<Edge> edges_along(const Blend_mesh& mesh, const std::vector<Vertex>& chain, const std::string& where) {
   const Edge_chain<Blend_mesh> edges = edges_of_polyline(mesh, chain);
   if (!edges.ok()) throw Failure(edges.diagnosis, where);
   return edges.edges;
@@ -37,9 +35,37 @@ std::vector<Edge> selected_edges(const Blend_mesh& mesh, const std::string& path
   std::vector<Edge> found;
   for (const auto& [from, to] : read_selection(path).edges) {
     const std::string where = in_quotes(path) + ", edge " + std::to_string(from) + " " + std::to_string(to);
-    found.push_back(edges_along(mesh, {from, to}, where).front());
+    const std::vector<Vertex> ends{vertex_with_index(mesh, from, where), vertex_with_index(mesh, to, where)};
+    found.push_back(edges_along(mesh, ends, where).front());
   }
   return found;
+}
+
+std::vector<Vertex> vertices_along(const Blend_mesh& mesh, const std::vector<Point_3>& polyline,
+                                   const Vertex_locator<Blend_mesh>& locate, const std::string& where) {
+  const Edge_chain<Blend_mesh> edges = edges_of_polyline(mesh, polyline, locate);
+  if (!edges.ok()) throw Failure(edges.diagnosis, where);
+  std::vector<Vertex> chain;
+  for (const Point_3& p : polyline) chain.push_back(*locate(p));
+  return chain;
+}
+
+/// A closed curve has the sense of its branch, whatever way the polyline runs round.
+bool runs_against_branch(const Blend_mesh& mesh, const std::vector<Edge>& edges, const std::vector<Vertex>& polyline) {
+  for (const Branch<Blend_mesh>& branch : make_curve_network(mesh, edges).branches)
+    for (const Halfedge h : branch.halfedges)
+      if (branch.closed() && mesh.source(h) == polyline[1] && mesh.target(h) == polyline[0]) return true;
+  return false;
+}
+
+/// The blend along a polyline, at whose first vertex its radius begins.
+Edge_blend blend_along(const Blend_mesh& mesh, const std::vector<Vertex>& polyline, const Blend_request& request,
+                       const std::string& where) {
+  Edge_blend blend{edges_along(mesh, polyline, where), 0, request.profile, request.radius};
+  if (!request.radius || request.radius->is_constant()) return blend;
+  blend.start = polyline.front();
+  if (runs_against_branch(mesh, blend.edges, polyline)) blend.law = request.radius->reversed();
+  return blend;
 }
 
 std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const std::vector<Blend_request>& requests,
@@ -48,14 +74,13 @@ std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const std::vecto
   std::optional<Vertex_locator<Blend_mesh>> locate;
   for (const Blend_request& request : requests) {
     const std::string where = in_quotes(path) + ", blend " + std::to_string(blends.size() + 1);
-    if (request.points.empty()) {
-      blends.push_back({edges_along(mesh, request.vertices, where), request.radius, request.profile});
-      continue;
+    std::vector<Vertex> polyline;
+    for (const std::size_t index : request.vertices) polyline.push_back(vertex_with_index(mesh, index, where));
+    if (!request.points.empty()) {
+      if (!locate) locate.emplace(mesh);
+      polyline = vertices_along(mesh, request.points, *locate, where);
     }
-    if (!locate) locate.emplace(mesh);
-    const Edge_chain<Blend_mesh> edges = edges_of_polyline(mesh, request.points, *locate);
-    if (!edges.ok()) throw Failure(edges.diagnosis, where);
-    blends.push_back({edges.edges, request.radius, request.profile});
+    blends.push_back(blend_along(mesh, polyline, request, where));
   }
   return blends;
 }
@@ -77,7 +102,7 @@ std::vector<Edge_blend> chosen_edges(const Edge_choice& choice, const std::vecto
   const std::vector<Edge> edges =
       choice.sharp_angle ? creases(mesh, *choice.sharp_angle) : selected_edges(mesh, choice.edges_file);
   if (edges.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}});
-  return {{edges, 0, {}}};
+  return {{edges}};
 }
 
 }  // namespace cgal_blend::cli

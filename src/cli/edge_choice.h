@@ -24,14 +24,14 @@ struct Edge_choice {
 struct Blend_request {
   std::vector<std::size_t> vertices;
   std::vector<Point_3> points;
-  double radius = 0;  ///< 0: the radius of the command line
-  std::optional<Profile> profile{};  ///< none: the profile of the command line
+  std::optional<Radius_law> radius{};  ///< none: the radius of the command line
+  std::optional<Profile> profile{};    ///< none: the profile of the command line
 };
 
 /// Reads a blends file; throws `Failure`: input if it is no such file, usage or blend for values not accepted.
 [[nodiscard]] std::vector<Blend_request> read_blends(const std::string& path);
 
-/// Finds the edges of the mesh; throws `Failure` (no_such_edge, no_edges_selected).
+/// Finds the edges of the mesh; a radius of a request runs along its polyline. Throws `Failure` (no_such_edge, no_edges_selected).
 [[nodiscard]] std::vector<Edge_blend> chosen_edges(const Edge_choice& choice,
                                                    const std::vector<Blend_request>& requests, const Blend_mesh& mesh);
 

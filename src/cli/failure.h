@@ -31,10 +31,6 @@ struct Failure : std::runtime_error {
 
 inline Failure usage_failure(const std::string& text) { return {Exit::usage, "invalid_parameter", text}; }
 
-inline Failure unsupported_failure(const std::string& what) {
-  return {Exit::blend, "not_supported", what + " is not supported in this version"};
-}
-
 }  // namespace cgal_blend::cli
 
 #endif

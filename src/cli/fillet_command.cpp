@@ -19,10 +19,14 @@ struct Fillet_command_options {
   Ball_options ball;
 };
 
-void require_radius_for_all(const Fillet_command_options& o, const std::vector<Blend_request>& requests) {
-  const auto has_radius = [](const Blend_request& request) { return request.radius > 0; };
+/// Gives requests without a radius that of the command line.
+void require_radius_for_all(const Fillet_command_options& o, const std::optional<Radius_law>& radius,
+                            std::vector<Blend_request>& requests) {
+  const auto has_radius = [](const Blend_request& request) { return request.radius.has_value(); };
   const bool from_file = !o.choice.blends_file.empty() && std::all_of(requests.begin(), requests.end(), has_radius);
-  if (!o.ball.radius && !from_file) throw usage_failure("--radius is required");
+  if (!radius && !from_file) throw usage_failure("--radius is required");
+  for (Blend_request& request : requests)
+    if (!has_radius(request)) request.radius = radius;
 }
 
 void fillet(const Fillet_command_options& o, Report& report) {
@@ -30,7 +34,7 @@ void fillet(const Fillet_command_options& o, Report& report) {
   const Fillet_options options = o.ball.checked();
   std::vector<Blend_request> requests;
   if (!o.choice.blends_file.empty()) requests = read_blends(o.choice.blends_file);
-  require_radius_for_all(o, requests);
+  require_radius_for_all(o, options.law, requests);
   const Blend_mesh mesh = read_operand(o.input, report.input, report);
   const std::vector<Edge_blend> blends = chosen_edges(o.choice, requests, mesh);
   blend_and_write(

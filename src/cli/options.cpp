@@ -21,12 +21,14 @@ Fillet_options Ball_options::checked_but_radius() const {
 
 Fillet_options Ball_options::checked() const {
   Fillet_options options = checked_but_radius();
-  if (radius) options.radius = parse_radius(*radius);
+  if (radius) options.law = parse_radius(*radius);
   return options;
 }
 
-std::vector<double> Ball_options::checked_radii(std::size_t count) const {
-  return radius ? parse_radii(*radius, count) : std::vector<double>(count, 0);
+std::vector<std::optional<Radius_law>> Ball_options::checked_radii(std::size_t count) const {
+  if (!radius) return std::vector<std::optional<Radius_law>>(count);
+  const std::vector<Radius_law> radii = parse_radii(*radius, count);
+  return {radii.begin(), radii.end()};
 }
 
 void add_report_options(CLI::App& command, Output_options& options) {

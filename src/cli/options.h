@@ -33,20 +33,22 @@ struct Ball_options {
   double coarse = 0;
   Fillet_options fillet;
 
-  /// Returns the options of the engine, radius 0 if none is given; throws `Failure` for what cannot be accepted.
+  /// Returns the options of the engine, the radius as a law if one is given; throws `Failure` for what cannot be accepted.
   [[nodiscard]] Fillet_options checked() const;
-  /// The same but for the radius, which is left 0.
+  /// The same but for the radius, which is left out.
   [[nodiscard]] Fillet_options checked_but_radius() const;
-  /// Returns one radius for each of `count` booleans, 0 if none is given; throws `Failure`.
-  [[nodiscard]] std::vector<double> checked_radii(std::size_t count) const;
+  /// Returns one radius for each of `count` booleans, or none for any; throws `Failure`.
+  [[nodiscard]] std::vector<std::optional<Radius_law>> checked_radii(std::size_t count) const;
 };
 
 void add_report_options(CLI::App& command, Output_options& options);
 void add_mesh_output(CLI::App& command, Output_options& options,
                      const std::string& help = "Mesh to write: .off, .obj, .ply or .stl");
 void add_curvature_output(CLI::App& command, Output_options& options);
-void add_ball_options(CLI::App& command, Ball_options& options,
-                      const std::string& radius_help = "Radius of the ball, length units of the mesh");
+void add_ball_options(
+    CLI::App& command, Ball_options& options,
+    const std::string& radius_help =
+        "Radius of the ball, length units of the mesh; or FRACTION:RADIUS,FRACTION:RADIUS,... along each curve");
 
 /// A numeric option that has to lie between two bounds, and be `whole` if that is asked for; the message names them.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value, double low, double high, bool open,

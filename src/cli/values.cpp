@@ -11,16 +11,14 @@ namespace cgal_blend::cli {
 
 namespace {
 
-// A list "0:2,0.5:4,1:2" of arc-length fractions in [0,1] and radii.
-bool is_radius_list(const std::string& text) {
-  for (const std::string& item : split(text, ",", true)) {
-    const std::vector<std::string> pair = split(item, ":", true);
-    if (pair.size() != 2) return false;
-    const auto fraction = parse_number(pair[0]), radius = parse_number(pair[1]);
-    if (!fraction || !radius || *fraction < 0 || *fraction > 1 || *radius <= 0) return false;
-  }
-  return true;
+double parse_positive(const std::string& text) {
+  const auto radius = parse_number(text);
+  if (!radius) throw usage_failure("--radius: '" + text + "' is not a number");
+  require_radius(*radius, "--radius");
+  return *radius;
 }
+
+bool is_law(const std::string& text) { return text.find(':') != std::string::npos; }
 
 }  // namespace
 
@@ -42,24 +40,35 @@ std::vector<std::string> split(const std::string& text, const char* separators, 
   return parts;
 }
 
-double parse_radius(const std::string& text) {
-  if (is_radius_list(text)) throw unsupported_failure("--radius: a radius that varies along the curve");
-  const auto radius = parse_number(text);
-  if (!radius) throw usage_failure("--radius: '" + text + "' is not a number");
-  require_radius(*radius, "--radius");
-  return *radius;
+Radius_law parse_radius(const std::string& text) {
+  if (!is_law(text)) return parse_positive(text);
+  std::vector<Piecewise_radius::Pair> pairs;
+  for (const std::string& item : split(text, ",", true)) {
+    const std::vector<std::string> pair = split(item, ":", true);
+    if (pair.size() != 2) throw usage_failure("--radius: '" + item + "' is no pair FRACTION:RADIUS");
+    const auto fraction = parse_number(pair[0]);
+    if (!fraction) throw usage_failure("--radius: '" + pair[0] + "' is not a number");
+    pairs.push_back({*fraction, parse_positive(pair[1])});
+  }
+  return make_law(pairs, "--radius");
 }
 
-std::vector<double> parse_radii(const std::string& text, std::size_t count) {
+std::vector<Radius_law> parse_radii(const std::string& text, std::size_t count) {
   const std::vector<std::string> items = split(text, ",", true);
-  if (items.size() == 1 || is_radius_list(text)) return std::vector<double>(count, parse_radius(text));
-  std::vector<double> radii;
-  for (const std::string& item : items) radii.push_back(parse_radius(item));
+  if (items.size() == 1 || is_law(text)) return std::vector<Radius_law>(count, parse_radius(text));
+  std::vector<Radius_law> radii;
+  for (const std::string& item : items) radii.emplace_back(parse_positive(item));
   if (radii.size() != count)
     throw usage_failure("--radius: " + std::to_string(radii.size()) + " radii for " + std::to_string(count) +
                         (count == 1 ? " boolean" : " booleans") +
                         "; give one for all, or one for each body after the first");
   return radii;
+}
+
+Radius_law make_law(const std::vector<Piecewise_radius::Pair>& pairs, const std::string& subject) {
+  const Diagnosis diagnosis = Piecewise_radius::check(pairs);
+  if (!diagnosis.ok()) throw usage_failure(subject + ": " + diagnosis.detail);
+  return Piecewise_radius(pairs);
 }
 
 void require_radius(double radius, const std::string& subject) {

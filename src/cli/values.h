@@ -18,13 +18,17 @@ namespace cgal_blend::cli {
 /// Returns the parts of `text` between any of the `separators`; empty parts are kept if `keep_empty`.
 [[nodiscard]] std::vector<std::string> split(const std::string& text, const char* separators, bool keep_empty);
 
-/// Returns the radius that `text` spells. Throws `Failure`: usage if it is no number > 0, unsupported if it is a list
-/// of fraction:radius pairs.
-[[nodiscard]] double parse_radius(const std::string& text);
+/// Returns the radius that `text` spells: a number > 0, or a list FRACTION:RADIUS,FRACTION:RADIUS,... Throws `Failure`
+/// (usage) for anything else.
+[[nodiscard]] Radius_law parse_radius(const std::string& text);
 
-/// Returns one radius for each of `count` booleans: `text` spells one for all, or a list with commas. Throws `Failure` as
-/// `parse_radius`, usage also for a list of another length.
-[[nodiscard]] std::vector<double> parse_radii(const std::string& text, std::size_t count);
+/// Returns one radius for each of `count` booleans: `text` spells one for all, or numbers with commas. Throws `Failure`
+/// (usage) as `parse_radius`, and for numbers of another count.
+[[nodiscard]] std::vector<Radius_law> parse_radii(const std::string& text, std::size_t count);
+
+/// Returns the smooth law through pairs of fraction and radius; throws `Failure` (usage) if they make none. `subject`
+/// begins the message.
+[[nodiscard]] Radius_law make_law(const std::vector<Piecewise_radius::Pair>& pairs, const std::string& subject);
 
 /// Throws `Failure` unless the radius is a finite number > 0; `subject` begins the message.
 void require_radius(double radius, const std::string& subject);
