@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "share_planes.h"
+
+#include "elimination_order.h"
+#include "flat_regions.h"
+#include "near_faces.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace cgal_blend {
+
+namespace {
+
+using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Exact_vector = Exact_kernel::Vector_3;
+using Exact_number = Exact_kernel::FT;
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+// Two planes that meet at a smaller angle do not say well where their line is. Sine.
+constexpr double steep_enough = 0.17;
+// In units of the tolerance: how far points may be off a plane that several regions share, and how far a vertex may move
+// that lies on planes at small angles.
+constexpr double largest_misfit = 4, largest_move = 64;
+
+/// A vertex of one of the bodies.
+struct Place_of {
+  int side;
+  Vertex vertex;
+  bool operator<(const Place_of& other) const {
+    return side != other.side ? side < other.side : vertex < other.vertex;
+  }
+};
+
+struct Exact_plane {
+  Exact_point point;
+  Exact_vector normal;
+};
+
+/// The point nearest to p on up to three planes with independent normals, which move it along the normals.
+Exact_point project(const Exact_point& p, const std::vector<Exact_plane>& planes) {
+  const std::size_t n = planes.size();
+  std::array<std::array<Exact_number, 4>, 3> row;  // of the normals' scalar products, and the distances to go
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) row[i][j] = planes[i].normal * planes[j].normal;
+    row[i][3] = planes[i].normal * (planes[i].point - p);
+  }
+  for (std::size_t i = 0; i < n; ++i)  // positive definite: no pivoting
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k == i) continue;
+      const Exact_number factor = row[k][i] / row[i][i];
+      for (std::size_t j = i; j < 4; ++j) row[k][j] -= factor * row[i][j];
+    }
+  Exact_point result = p;
+  for (std::size_t i = 0; i < n; ++i) result = result + row[i][3] / row[i][i] * planes[i].normal;
+  CGAL::exact(result);
+  return result;
+}
+
+/// The plane through up to three points that is nearest to a given one.
+Exact_plane through(const std::vector<Exact_point>& points, const Fitted_plane& fit) {
+  const Exact_vector normal(fit.normal.x(), fit.normal.y(), fit.normal.z());
+  if (points.empty()) return {{fit.point.x(), fit.point.y(), fit.point.z()}, normal};
+  if (points.size() == 1) return {points[0], normal};
+  const Exact_vector along = points[1] - points[0];
+  if (points.size() == 2) return {points[0], along.squared_length() * normal - (along * normal) * along};
+  return {points[0], CGAL::cross_product(along, points[2] - points[0])};
+}
+
+class Plane_sharing {
+ public:
+  Plane_sharing(const Blend_mesh& a, const Blend_mesh& b)
+      : mesh_{&a, &b}, tolerance_(rounding_tolerance(a, b)), regions_{Flat_regions(a, tolerance_), Flat_regions(b, tolerance_)} {}
+
+  std::optional<Shared_planes> run() {
+    find_contacts();
+    if (!contradiction_) choose_planes();
+    if (!contradiction_) bind_to_planes();
+    if (contradiction_) return std::nullopt;
+    bind_to_lines();
+    return solve();
+  }
+
+ private:
+  struct Touch {
+    Place_of vertex;
+    Halfedge edge;  // of the other body; null for the face
+    Face face;
+    bool operator<(const Touch& other) const {
+      return std::tie(vertex, edge, face) < std::tie(other.vertex, other.edge, other.face);
+    }
+  };
+  /// A region, and the set of coplanar regions that it belongs to, as in union-find.
+  struct Node {
+    int side;
+    std::size_t region;
+    std::size_t parent;
+  };
+  struct Place {
+    std::array<Vertex, 2> vertex;  // null where the body has no vertex there
+    Point_3 point;
+  };
+
+  [[nodiscard]] const Flat_region& region(const Node& node) const { return regions_[node.side][node.region]; }
+
+  std::size_t node(int side, Face face) {
+    const std::size_t r = regions_[side].region_of(face);
+    auto& known = node_of_region_[side];
+    if (known.size() <= r) known.resize(r + 1, none);
+    if (known[r] == none) {
+      known[r] = nodes_.size();
+      nodes_.push_back({side, r, nodes_.size()});
+    }
+    return known[r];
+  }
+
+  std::size_t root(std::size_t i) {
+    while (nodes_[i].parent != i) i = nodes_[i].parent = nodes_[nodes_[i].parent].parent;
+    return i;
+  }
+
+  void find_contacts() {
+    for (const auto& [f, g] : near_faces(*mesh_[0], *mesh_[1], tolerance_)) {
+      if (nearly_coplanar(*mesh_[0], f, *mesh_[1], g, largest_misfit * tolerance_)) join_regions(f, g);
+      for (const Halfedge h : mesh_[1]->halfedges_around_face(mesh_[1]->halfedge(g)))
+        find_touch({1, mesh_[1]->target(h)}, f);
+      for (const Halfedge h : mesh_[0]->halfedges_around_face(mesh_[0]->halfedge(f)))
+        find_touch({0, mesh_[0]->target(h)}, g);
+    }
+  }
+
+  /// The larger region says more about the plane than the smaller one; which one is larger depends on the direction.
+  void join_regions(Face f, Face g) {
+    const std::size_t i = node(0, f), j = node(1, g);
+    if (root(i) == root(j)) return;
+    const auto lies_on = [&](std::size_t of_points, std::size_t of_plane) {
+      const Node& points = nodes_[of_points];
+      const Fitted_plane& plane = region(nodes_[of_plane]).plane;
+      return std::all_of(region(points).vertices.begin(), region(points).vertices.end(), [&](Vertex v) {
+        return plane.distance(mesh_[points.side]->point(v)) <= largest_misfit * tolerance_;
+      });
+    };
+    if (!lies_on(i, j) && !lies_on(j, i)) return;
+    const std::size_t first = std::min(root(i), root(j)), second = std::max(root(i), root(j));
+    nodes_[second].parent = first;
+    in_use_.insert(i);
+    in_use_.insert(j);
+  }
+
+  /// Finds out whether a vertex lies on a vertex, an edge or the inside of a face of the other body.
+  void find_touch(Place_of p, Face face) {
+    const Blend_mesh& other = *mesh_[1 - p.side];
+    const Point_3& point = mesh_[p.side]->point(p.vertex);
+    const double limit = tolerance_ * tolerance_;
+    const Halfedge start = other.halfedge(face);
+    const Point_3 &q = other.point(other.source(start)), &r = other.point(other.target(start)),
+                  &s = other.point(other.target(other.next(start)));
+    const Vector_3 normal = CGAL::cross_product(r - q, s - q);
+    const double height = normal * (point - q);
+    if (height * height > 16 * limit * normal.squared_length()) return;  // thin faces know their plane badly
+    for (const Halfedge h : other.halfedges_around_face(start))
+      if (CGAL::squared_distance(point, other.point(other.target(h))) <= limit) return note_common(p, other.target(h));
+    bool inside = true;
+    for (const Halfedge h : other.halfedges_around_face(start)) {
+      const Point_3& from = other.point(other.source(h));
+      const Vector_3 along = other.point(other.target(h)) - from, to = point - from;
+      const double at = along * to, length = along.squared_length();
+      const Vector_3 across = CGAL::cross_product(along, to);
+      if (at > 0 && at < length && across.squared_length() <= limit * length) {
+        touches_.insert({p, other.halfedge(other.edge(h)), Face()});
+        return;
+      }
+      inside = inside && across * normal > 0;
+    }
+    if (inside && height * height <= limit * normal.squared_length()) touches_.insert({p, Halfedge(), face});
+  }
+
+  void note_common(Place_of p, Vertex other) {
+    const Place_of q{1 - p.side, other};
+    for (const auto& [from, to] : {std::pair(p, q), std::pair(q, p)}) {
+      const auto [known, is_new] = partner_.emplace(from, to.vertex);
+      if (!is_new && known->second != to.vertex) contradiction_ = true;
+    }
+  }
+
+  [[nodiscard]] bool steep(std::size_t i, std::size_t j) const {
+    return region(nodes_[i]).plane.normal.cross(region(nodes_[j]).plane.normal).norm() > steep_enough;
+  }
+
+  /// The regions left and right of an edge, the larger first.
+  std::pair<std::size_t, std::size_t> sides(int side, Halfedge h) {
+    std::size_t i = node(side, mesh_[side]->face(h)), j = node(side, mesh_[side]->face(mesh_[side]->opposite(h)));
+    if (region(nodes_[j]).area_vector.norm() > region(nodes_[i]).area_vector.norm()) std::swap(i, j);
+    return {i, j};
+  }
+
+  /// Regions whose planes have something to say: those with a counterpart in the other body, or touched by its vertices.
+  void choose_planes() {
+    for (const Touch& touch : touches_) {
+      const int other = 1 - touch.vertex.side;
+      if (touch.edge == Halfedge()) {
+        in_use_.insert(node(other, touch.face));
+        continue;
+      }
+      const auto [i, j] = sides(other, touch.edge);
+      in_use_.insert(i);
+      if (steep(i, j)) in_use_.insert(j);
+    }
+    std::map<std::size_t, std::vector<std::size_t>> members;
+    for (const std::size_t i : in_use_) members[root(i)].push_back(i);
+    for (const auto& [root_node, list] : members) {
+      plane_of_root_[root_node] = planes_.size();
+      planes_.push_back(fit(list));
+      for (const std::size_t i : list)
+        for (const Vertex v : region(nodes_[i]).vertices)
+          if (planes_.back().distance(mesh_[nodes_[i].side]->point(v)) > largest_misfit * tolerance_)
+            contradiction_ = true;
+    }
+  }
+
+  [[nodiscard]] Fitted_plane fit(const std::vector<std::size_t>& list) const {
+    // A plane that is parallel to two axes to the last bit stays what it is.
+    for (const std::size_t i : list)
+      for (int axis = 0; axis < 3; ++axis)
+        if (shares_coordinate(nodes_[i], axis)) return {region(nodes_[i]).plane.point, Vec::Unit(axis)};
+    Vec sum = Vec::Zero(), point = Vec::Zero();
+    double count = 0;
+    for (const std::size_t i : list) {
+      const Flat_region& r = region(nodes_[i]);
+      sum += sum.dot(r.area_vector) < 0 ? Vec(-r.area_vector) : r.area_vector;
+      const auto n = static_cast<double>(r.vertices.size());
+      point += n / (count + n) * (r.plane.point - point);
+      count += n;
+    }
+    return {point, sum.normalized()};
+  }
+
+  [[nodiscard]] bool shares_coordinate(const Node& n, int axis) const {
+    const auto& vertices = region(n).vertices;
+    const Blend_mesh& mesh = *mesh_[n.side];
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](Vertex v) { return mesh.point(v)[axis] == mesh.point(vertices[0])[axis]; });
+  }
+
+  std::size_t place(Place_of p) {
+    const auto found = place_of_.find(p);
+    if (found != place_of_.end()) return found->second;
+    const auto partner = partner_.find(p);
+    Place place;
+    place.vertex[p.side] = p.vertex;
+    if (partner != partner_.end()) place.vertex[1 - p.side] = partner->second;
+    const int side = place.vertex[0] != Vertex() ? 0 : 1;
+    place.point = mesh_[side]->point(place.vertex[side]);
+    for (int k = 0; k < 2; ++k)
+      if (place.vertex[k] != Vertex()) place_of_[{k, place.vertex[k]}] = places_.size();
+    places_.push_back(place);
+    return places_.size() - 1;
+  }
+
+  void bind(std::size_t place, std::size_t plane) { bonds_.insert({place, plane}); }
+  [[nodiscard]] bool bound(std::size_t place, std::size_t plane) const { return bonds_.count({place, plane}) > 0; }
+
+  /// The plane that a region belongs to, if it is in use.
+  std::size_t plane_of(std::size_t node) {
+    const auto found = plane_of_root_.find(root(node));
+    return found != plane_of_root_.end() ? found->second : none;
+  }
+
+  void bind_to_planes() {
+    for (const std::size_t i : in_use_)
+      for (const Vertex v : region(nodes_[i]).vertices) bind(place({nodes_[i].side, v}), plane_of(i));
+    for (const auto& [p, partner] : partner_) place(p);
+    for (const Touch& touch : touches_) {
+      const int other = 1 - touch.vertex.side;
+      const std::size_t at = place(touch.vertex);
+      if (touch.edge == Halfedge()) {
+        bind(at, plane_of(node(other, touch.face)));
+        continue;
+      }
+      const auto [i, j] = sides(other, touch.edge);
+      bind(at, plane_of(i));
+      if (steep(i, j)) bind(at, plane_of(j));
+    }
+  }
+
+  /// Vertices on an edge that is no line of two planes: the edge gets a plane of its own, across the face beside it.
+  void bind_to_lines() {
+    first_of_edges_ = planes_.size();
+    std::map<std::pair<int, Halfedge>, std::size_t> plane_of_edge;
+    for (const Touch& touch : touches_) {
+      if (touch.edge == Halfedge()) continue;
+      const int other = 1 - touch.vertex.side;
+      const auto [i, j] = sides(other, touch.edge);
+      const std::size_t at = place(touch.vertex), first = plane_of(i), second = plane_of(j);
+      if (first != second && second != none && bound(at, second)) continue;
+      const auto [known, is_new] = plane_of_edge.emplace(std::pair(other, touch.edge), planes_.size());
+      if (is_new) {
+        const Blend_mesh& mesh = *mesh_[other];
+        const Vertex source = mesh.source(touch.edge), target = mesh.target(touch.edge);
+        const Vec from = to_vec(mesh.point(source)), along = to_vec(mesh.point(target)) - from;
+        planes_.push_back({from, along.cross(planes_[first].normal).normalized()});
+        bind(place({other, source}), known->second);
+        bind(place({other, target}), known->second);
+      }
+      bind(at, known->second);
+    }
+  }
+
+  std::optional<Shared_planes> solve() {
+    std::vector<Vec> normals, points;
+    for (const Fitted_plane& plane : planes_) normals.push_back(plane.normal);
+    for (const Place& place : places_) points.push_back(to_vec(place.point));
+    std::vector<Exact_plane> exact_plane(planes_.size());
+    std::vector<Exact_point> exact_place(places_.size());
+    for (const Eliminated& step :
+         elimination_order(points, normals, {bonds_.begin(), bonds_.end()}, first_of_edges_, 1000 * tolerance_)) {
+      if (step.is_plane) {
+        std::vector<Exact_point> before;
+        for (const std::size_t i : step.earlier) before.push_back(exact_place[i]);
+        exact_plane[step.index] = through(before, planes_[step.index]);
+      } else {
+        std::vector<Exact_plane> before;
+        for (const std::size_t i : step.earlier) before.push_back(exact_plane[i]);
+        const Point_3& p = places_[step.index].point;
+        exact_place[step.index] = project({p.x(), p.y(), p.z()}, before);
+      }
+    }
+    Shared_planes result;
+    for (int side = 0; side < 2; ++side)
+      for (const Vertex v : mesh_[side]->vertices()) {
+        const Point_3& p = mesh_[side]->point(v);
+        result.points[side].emplace_back(p.x(), p.y(), p.z());
+      }
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Point_3 moved(CGAL::to_double(exact_place[i].x()), CGAL::to_double(exact_place[i].y()),
+                          CGAL::to_double(exact_place[i].z()));
+      if (CGAL::squared_distance(moved, places_[i].point) > std::pow(largest_move * tolerance_, 2)) return std::nullopt;
+      const auto& vertex = places_[i].vertex;
+      for (int side = 0; side < 2; ++side)
+        if (vertex[side] != Vertex()) result.points[side][vertex[side].idx()] = exact_place[i];
+      if (vertex[0] != Vertex() && vertex[1] != Vertex()) result.common.emplace_back(vertex[0], vertex[1]);
+    }
+    return result;
+  }
+
+  std::array<const Blend_mesh*, 2> mesh_;
+  double tolerance_;
+  std::array<Flat_regions, 2> regions_;
+  std::array<std::vector<std::size_t>, 2> node_of_region_;
+  std::vector<Node> nodes_;
+  std::set<std::size_t> in_use_;  // nodes
+  std::set<Touch> touches_;
+  std::map<Place_of, Vertex> partner_;  // the vertex of the other body in the same place
+  std::map<std::size_t, std::size_t> plane_of_root_;
+  std::vector<Fitted_plane> planes_;  // of regions, then of edges
+  std::size_t first_of_edges_ = 0;
+  std::map<Place_of, std::size_t> place_of_;
+  std::vector<Place> places_;
+  std::set<std::pair<std::size_t, std::size_t>> bonds_;  // of places to planes
+  bool contradiction_ = false;
+};
+
+}  // namespace
+
+std::optional<Shared_planes> share_planes(const Blend_mesh& a, const Blend_mesh& b) { return Plane_sharing(a, b).run(); }
+
+}  // namespace cgal_blend
