@@ -148,11 +148,6 @@ void finish(Boolean_result& result, bool done, Edge_marks marks, Corefinement_re
 
 Edge_marks add_marks(Blend_mesh& mesh) { return mesh.add_property_map<Edge, bool>("e:blending_curve", false).first; }
 
-Point_3 rounded(const Exact_point& p) {
-  CGAL::exact(p);  // else the result depends on what has been computed with it
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-}
-
 /// Gives the vertices of an exact result places in doubles: vertices of the operands those that they have, if they are
 /// vertices of the result by corefinement or by their place.
 void round_points(Exact_mesh& exact, const Shared_planes& planes, const Operands& operands, Corefinement_record& record) {
@@ -168,7 +163,7 @@ void round_points(Exact_mesh& exact, const Shared_planes& planes, const Operands
   std::map<Point_3, std::vector<Vertex>> others;  // by their places rounded
   for (const Vertex v : mesh.vertices()) {
     if (placed[v.idx()]) continue;
-    const Point_3 p = rounded(exact.points[v]);
+    const Point_3 p = rounded(exact.points[v], planes.frame);
     place(v, p);
     others[p].push_back(v);
   }
@@ -176,7 +171,7 @@ void round_points(Exact_mesh& exact, const Shared_planes& planes, const Operands
     for (const Vertex v : operands[k]->vertices()) {
       if (record.vertex_of[k][v.idx()] != Blend_mesh::null_vertex()) continue;
       const Exact_point& at = planes.points[k][v.idx()];
-      const auto found = others.find(rounded(at));
+      const auto found = others.find(rounded(at, planes.frame));
       if (found == others.end()) continue;
       for (const Vertex w : found->second)
         if (exact.points[w] == at) {

@@ -6,6 +6,7 @@
 #include "near_faces.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -44,29 +45,69 @@ struct Exact_plane {
   Exact_vector normal;
 };
 
-/// The point nearest to p on up to three planes with independent normals, which move it along the normals.
-Exact_point project(const Exact_point& p, const std::vector<Exact_plane>& planes) {
+/// Cuts the bits of a number off that others next to it do not have either.
+double on_grid(double x, double step) { return std::nearbyint(x / step) * step; }
+
+/// A point on up to three planes with independent normals, near p: keeps as many coordinates of p as it can, so that the
+/// numbers stay short, and those that make the others move least.
+/// \param step coordinates that stay are multiples of it
+Exact_point project(const Point_3& p, const std::vector<Exact_plane>& planes, double step) {
+  struct Row {
+    std::array<Exact_number, 3> factor;
+    Exact_number right;
+    double norm = 0;
+  };
   const std::size_t n = planes.size();
-  std::array<std::array<Exact_number, 4>, 3> row;  // of the normals' scalar products, and the distances to go
+  std::vector<Row> rows(n);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) row[i][j] = planes[i].normal * planes[j].normal;
-    row[i][3] = planes[i].normal * (planes[i].point - p);
+    const auto& [q, normal] = planes[i];
+    rows[i].factor = {normal.x(), normal.y(), normal.z()};
+    rows[i].right = normal.x() * q.x() + normal.y() * q.y() + normal.z() * q.z();
+    for (int j = 0; j < 3; ++j) rows[i].norm = std::max(rows[i].norm, std::abs(CGAL::to_double(normal[j])));
   }
-  for (std::size_t i = 0; i < n; ++i)  // positive definite: no pivoting
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k == i) continue;
-      const Exact_number factor = row[k][i] / row[i][i];
-      for (std::size_t j = i; j < 4; ++j) row[k][j] -= factor * row[i][j];
+  std::array<int, 3> column{};  // of the coordinate that a row gives
+  std::array<bool, 3> taken{};
+  for (std::size_t i = 0; i < n; ++i) {
+    double largest = -1;
+    std::size_t pivot = i;
+    for (std::size_t k = i; k < n; ++k)
+      for (int j = 0; j < 3; ++j) {
+        const double size = std::abs(CGAL::to_double(rows[k].factor[j])) / rows[k].norm;
+        if (taken[j] || size <= largest) continue;
+        largest = size;
+        pivot = k;
+        column[i] = j;
+      }
+    std::swap(rows[i], rows[pivot]);
+    taken[column[i]] = true;
+    for (std::size_t k = i + 1; k < n; ++k) {
+      const Exact_number share = rows[k].factor[column[i]] / rows[i].factor[column[i]];
+      for (int j = 0; j < 3; ++j) rows[k].factor[j] -= share * rows[i].factor[j];
+      rows[k].right -= share * rows[i].right;
     }
-  Exact_point result = p;
-  for (std::size_t i = 0; i < n; ++i) result = result + row[i][3] / row[i][i] * planes[i].normal;
+  }
+  std::array<Exact_number, 3> x;
+  for (int j = 0; j < 3; ++j)
+    if (!taken[j]) x[j] = n == 0 ? p[j] : on_grid(p[j], step);
+  for (std::size_t i = n; i-- > 0;) {
+    Exact_number right = rows[i].right;
+    for (int j = 0; j < 3; ++j)
+      if (j != column[i]) right -= rows[i].factor[j] * x[j];
+    x[column[i]] = right / rows[i].factor[column[i]];
+  }
+  const Exact_point result(x[0], x[1], x[2]);
   CGAL::exact(result);
   return result;
 }
 
+/// A power of two below the rounding of the coordinates.
+double step_of(double tolerance) { return std::exp2(std::floor(std::log2(tolerance / 64))); }
+
 /// The plane through up to three points that is nearest to a given one.
 Exact_plane through(const std::vector<Exact_point>& points, const Fitted_plane& fit) {
-  const Exact_vector normal(fit.normal.x(), fit.normal.y(), fit.normal.z());
+  const double step = std::numeric_limits<double>::epsilon() / 2;
+  const Exact_vector normal(on_grid(fit.normal.x(), step), on_grid(fit.normal.y(), step),
+                            on_grid(fit.normal.z(), step));
   if (points.empty()) return {{fit.point.x(), fit.point.y(), fit.point.z()}, normal};
   if (points.size() == 1) return {points[0], normal};
   const Exact_vector along = points[1] - points[0];
@@ -76,8 +117,19 @@ Exact_plane through(const std::vector<Exact_point>& points, const Fitted_plane& 
 
 class Plane_sharing {
  public:
-  Plane_sharing(const Blend_mesh& a, const Blend_mesh& b)
-      : mesh_{&a, &b}, tolerance_(rounding_tolerance(a, b)), regions_{Flat_regions(a, tolerance_), Flat_regions(b, tolerance_)} {}
+  Plane_sharing(const Blend_mesh& a, const Blend_mesh& b, double tolerance)
+      : mesh_{&a, &b}, tolerance_(tolerance), regions_{Flat_regions(a, tolerance), Flat_regions(b, tolerance)} {}
+
+  /// The planes of regions that are to be shared, and how many vertices each has.
+  std::vector<std::pair<Vec, std::size_t>> directions() {
+    find_contacts();
+    if (!contradiction_) choose_planes();
+    std::vector<std::pair<Vec, std::size_t>> result;
+    for (const Fitted_plane& plane : planes_) result.emplace_back(plane.normal, 0);
+    if (!contradiction_)
+      for (const std::size_t i : in_use_) result[plane_of(i)].second += region(nodes_[i]).vertices.size();
+    return result;
+  }
 
   std::optional<Shared_planes> run() {
     find_contacts();
@@ -218,10 +270,7 @@ class Plane_sharing {
     for (const auto& [root_node, list] : members) {
       plane_of_root_[root_node] = planes_.size();
       planes_.push_back(fit(list));
-      for (const std::size_t i : list)
-        for (const Vertex v : region(nodes_[i]).vertices)
-          if (planes_.back().distance(mesh_[nodes_[i].side]->point(v)) > largest_misfit * tolerance_)
-            contradiction_ = true;
+      if (!fits(planes_.back(), list)) contradiction_ = true;
     }
   }
 
@@ -239,8 +288,21 @@ class Plane_sharing {
       point += n / (count + n) * (r.plane.point - point);
       count += n;
     }
-    return {point, sum.normalized()};
+    const Fitted_plane fitted{point.unaryExpr([&](double x) { return on_grid(x, step_of(tolerance_)); }), sum.normalized()};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Fitted_plane upright{fitted.point, Vec::Unit(axis)};
+      if (std::abs(fitted.normal[axis]) > 0.999 && fits(upright, list)) return upright;
+    }
+    return fitted;
   }
+
+  [[nodiscard]] bool fits(const Fitted_plane& plane, const std::vector<std::size_t>& list) const {
+    for (const std::size_t i : list)
+      for (const Vertex v : region(nodes_[i]).vertices)
+        if (plane.distance(mesh_[nodes_[i].side]->point(v)) > largest_misfit * tolerance_) return false;
+    return true;
+  }
+
 
   [[nodiscard]] bool shares_coordinate(const Node& n, int axis) const {
     const auto& vertices = region(n).vertices;
@@ -328,8 +390,7 @@ class Plane_sharing {
       } else {
         std::vector<Exact_plane> before;
         for (const std::size_t i : step.earlier) before.push_back(exact_plane[i]);
-        const Point_3& p = places_[step.index].point;
-        exact_place[step.index] = project({p.x(), p.y(), p.z()}, before);
+        exact_place[step.index] = project(places_[step.index].point, before, step_of(tolerance_));
       }
     }
     Shared_planes result;
@@ -367,8 +428,55 @@ class Plane_sharing {
   bool contradiction_ = false;
 };
 
+// Frames that are more oblique take more digits than they save. Volume of the box of the unit normals.
+constexpr double least_frame = 0.3;
+
+/// The directions with most vertices, as far as they are independent, filled up at right angles.
+Frame frame_along(std::vector<std::pair<Vec, std::size_t>> directions, const Point_3& origin) {
+  std::stable_sort(directions.begin(), directions.end(), [](const auto& d, const auto& e) { return d.second > e.second; });
+  std::vector<Vec> chosen;
+  for (const auto& [n, count] : directions) {
+    if (chosen.size() == 3) break;
+    if (chosen.empty() || (chosen.size() == 1 && n.cross(chosen[0]).norm() > least_frame) ||
+        (chosen.size() == 2 && std::abs(n.dot(chosen[0].cross(chosen[1]))) > least_frame))
+      chosen.push_back(n);
+  }
+  Frame frame;
+  const bool upright = std::all_of(chosen.begin(), chosen.end(), [](const Vec& n) { return n.cwiseAbs().sum() == 1; });
+  if (upright) return frame;
+  if (chosen.size() == 1) chosen.push_back(chosen[0].unitOrthogonal());
+  if (chosen.size() == 2) chosen.push_back(chosen[0].cross(chosen[1]).normalized());
+  for (int i = 0; i < 3; ++i) frame.to_frame.row(i) = chosen[i].transpose();
+  if (frame.to_frame.determinant() < 0) frame.to_frame.row(2) *= -1;
+  frame.to_space = frame.to_frame.inverse();
+  frame.origin = to_vec(origin);
+  return frame;
+}
+
+Blend_mesh in_frame(Blend_mesh mesh, const Frame& frame, double step) {
+  for (const Vertex v : mesh.vertices()) {
+    const Vec x = frame.to_frame * (to_vec(mesh.point(v)) - frame.origin);
+    mesh.point(v) = {on_grid(x.x(), step), on_grid(x.y(), step), on_grid(x.z(), step)};
+  }
+  return mesh;
+}
+
 }  // namespace
 
-std::optional<Shared_planes> share_planes(const Blend_mesh& a, const Blend_mesh& b) { return Plane_sharing(a, b).run(); }
+std::optional<Shared_planes> share_planes(const Blend_mesh& a, const Blend_mesh& b) {
+  const double tolerance = rounding_tolerance(a, b);
+  const Frame frame = frame_along(Plane_sharing(a, b, tolerance).directions(), a.point(*a.vertices().begin()));
+  if (frame.to_frame.isIdentity(0)) return Plane_sharing(a, b, tolerance).run();
+  const double step = step_of(tolerance);
+  std::optional<Shared_planes> result = Plane_sharing(in_frame(a, frame, step), in_frame(b, frame, step), tolerance).run();
+  if (result) result->frame = frame;
+  return result;
+}
+
+Point_3 rounded(const Exact_point& p, const Frame& frame) {
+  CGAL::exact(p);  // else the result depends on what has been computed with it
+  const Vec x(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  return to_point(frame.origin + frame.to_space * x);
+}
 
 }  // namespace cgal_blend

@@ -2,7 +2,7 @@
 #ifndef CGAL_BLEND_SRC_SHARE_PLANES_H
 #define CGAL_BLEND_SRC_SHARE_PLANES_H
 
-#include <cgal_blend/blend_mesh.h>
+#include "base_surface.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -15,8 +15,15 @@ namespace cgal_blend {
 
 using Exact_point = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
 
+/// Coordinates along chosen directions.
+struct Frame {
+  Eigen::Matrix3d to_frame = Eigen::Matrix3d::Identity(), to_space = Eigen::Matrix3d::Identity();
+  Vec origin = Vec::Zero();
+};
+
 /// Two bodies with exact coordinates.
 struct Shared_planes {
+  Frame frame;                                     ///< in which the coordinates are meant
   std::array<std::vector<Exact_point>, 2> points;  ///< by vertex
   std::vector<std::pair<Vertex, Vertex>> common;   ///< vertices of the first and the second body in the same place
 };
@@ -25,7 +32,11 @@ struct Shared_planes {
 /// exactly: flat sides that lie in one plane get one exact plane, vertices that lie on a vertex, an edge or a face of the
 /// other body get a place there. The flat sides of each body that take part become exactly flat.
 /// \returns nothing if the contacts contradict each other
+/// The exact coordinates are those in a frame along planes that are shared, where they are short.
 [[nodiscard]] std::optional<Shared_planes> share_planes(const Blend_mesh& a, const Blend_mesh& b);
+
+/// Rounds a point with exact coordinates in a frame.
+[[nodiscard]] Point_3 rounded(const Exact_point& p, const Frame& frame);
 
 }  // namespace cgal_blend
 
