@@ -5,6 +5,7 @@
 
 #include <cgal_blend/validate.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -15,6 +16,7 @@ namespace {
 
 struct Tally {
   int trials = 0, valid = 0, refused = 0, invalid = 0;
+  double milliseconds = 0;
 };
 
 constexpr const char* operation_name(Boolean_operation operation) {
@@ -30,7 +32,9 @@ void run(const Flush_family& family, std::uint32_t seed, Boolean_operation opera
   Fillet_options options;
   options.radius = radius;
   Blend_mesh out;
+  const auto start = std::chrono::steady_clock::now();
   const Fillet_outcome outcome = unchecked::corefine_and_fillet(pair.a, pair.b, operation, out, options);
+  tally.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   ++tally.trials;
   const double expected = volume_of(pair, operation), scale = pair.volume_a + pair.volume_b;
   const bool empty = expected < 1e-12 * scale;
@@ -56,6 +60,11 @@ void run(const Flush_family& family, std::uint32_t seed, Boolean_operation opera
     std::printf("  seed %u %s: %s\n", static_cast<unsigned>(seed), operation_name(operation), problem.c_str());
 }
 
+void print(const char* name, const Tally& tally) {
+  std::printf("%-40s %5d trials  valid %5d  refused %5d  invalid %5d  %7.1f ms each\n", name, tally.trials, tally.valid,
+              tally.refused, tally.invalid, tally.milliseconds / tally.trials);
+}
+
 }  // namespace
 }  // namespace cgal_blend::test
 
@@ -71,14 +80,13 @@ int main(int argc, char** argv) {
       for (const auto operation :
            {Boolean_operation::union_, Boolean_operation::intersection, Boolean_operation::difference})
         test::run(family, first + static_cast<std::uint32_t>(i), operation, radius, tally);
-    std::printf("%-40s %5d trials  valid %5d  refused %5d  invalid %5d\n", family.name, tally.trials, tally.valid,
-                tally.refused, tally.invalid);
+    test::print(family.name, tally);
     total.trials += tally.trials;
     total.valid += tally.valid;
     total.refused += tally.refused;
     total.invalid += tally.invalid;
+    total.milliseconds += tally.milliseconds;
   }
-  std::printf("%-40s %5d trials  valid %5d  refused %5d  invalid %5d\n", "all", total.trials, total.valid, total.refused,
-              total.invalid);
+  test::print("all", total);
   return total.invalid > 0 ? 1 : 0;
 }

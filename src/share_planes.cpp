@@ -40,6 +40,13 @@ struct Place_of {
   }
 };
 
+/// A plane that is meant as it stands, to the last bit.
+struct Plane {
+  Vec point, normal;  // of any length
+
+  [[nodiscard]] double distance(const Point_3& p) const { return std::abs(normal.dot(to_vec(p) - point)) / normal.norm(); }
+};
+
 struct Exact_plane {
   Exact_point point;
   Exact_vector normal;
@@ -100,14 +107,18 @@ Exact_point project(const Point_3& p, const std::vector<Exact_plane>& planes, do
   return result;
 }
 
-/// A power of two below the rounding of the coordinates.
-double step_of(double tolerance) { return std::exp2(std::floor(std::log2(tolerance / 64))); }
+Vec on_grid(const Vec& v, double step) {
+  return v.unaryExpr([step](double x) { return on_grid(x, step); });
+}
+
+Vec unit_on_grid(const Vec& v) { return on_grid(v.normalized(), std::numeric_limits<double>::epsilon() / 2); }
+
+/// A power of two about as large as the rounding of the coordinates, and so that differences need no more bits.
+double step_of(double tolerance) { return std::exp2(std::floor(std::log2(tolerance / 16))); }
 
 /// The plane through up to three points that is nearest to a given one.
-Exact_plane through(const std::vector<Exact_point>& points, const Fitted_plane& fit) {
-  const double step = std::numeric_limits<double>::epsilon() / 2;
-  const Exact_vector normal(on_grid(fit.normal.x(), step), on_grid(fit.normal.y(), step),
-                            on_grid(fit.normal.z(), step));
+Exact_plane through(const std::vector<Exact_point>& points, const Plane& fit) {
+  const Exact_vector normal(fit.normal.x(), fit.normal.y(), fit.normal.z());
   if (points.empty()) return {{fit.point.x(), fit.point.y(), fit.point.z()}, normal};
   if (points.size() == 1) return {points[0], normal};
   const Exact_vector along = points[1] - points[0];
@@ -125,7 +136,7 @@ class Plane_sharing {
     find_contacts();
     if (!contradiction_) choose_planes();
     std::vector<std::pair<Vec, std::size_t>> result;
-    for (const Fitted_plane& plane : planes_) result.emplace_back(plane.normal, 0);
+    for (const Plane& plane : planes_) result.emplace_back(plane.normal.normalized(), 0);
     if (!contradiction_)
       for (const std::size_t i : in_use_) result[plane_of(i)].second += region(nodes_[i]).vertices.size();
     return result;
@@ -274,7 +285,7 @@ class Plane_sharing {
     }
   }
 
-  [[nodiscard]] Fitted_plane fit(const std::vector<std::size_t>& list) const {
+  [[nodiscard]] Plane fit(const std::vector<std::size_t>& list) {
     // A plane that is parallel to two axes to the last bit stays what it is.
     for (const std::size_t i : list)
       for (int axis = 0; axis < 3; ++axis)
@@ -288,15 +299,55 @@ class Plane_sharing {
       point += n / (count + n) * (r.plane.point - point);
       count += n;
     }
-    const Fitted_plane fitted{point.unaryExpr([&](double x) { return on_grid(x, step_of(tolerance_)); }), sum.normalized()};
+    const Plane fitted{on_grid(point, step_of(tolerance_)), unit_on_grid(sum)};
     for (int axis = 0; axis < 3; ++axis) {
-      const Fitted_plane upright{fitted.point, Vec::Unit(axis)};
+      const Plane upright{fitted.point, Vec::Unit(axis)};
       if (std::abs(fitted.normal[axis]) > 0.999 && fits(upright, list)) return upright;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const Plane along = plane_along(axis, fitted.normal, list);
+      if (std::abs(fitted.normal[axis]) < 0.001 && fits(along, list)) return along;
     }
     return fitted;
   }
 
-  [[nodiscard]] bool fits(const Fitted_plane& plane, const std::vector<std::size_t>& list) const {
+  /// A plane parallel to an axis, through the vertices farthest apart across the axis. Sides of a prism so meet in lines
+  /// with short coordinates.
+  [[nodiscard]] Plane plane_along(int axis, const Vec& normal, const std::vector<std::size_t>& list) {
+    const Vec direction = Vec::Unit(axis).cross(normal);
+    Vec first = Vec::Zero(), last = Vec::Zero();
+    double least = std::numeric_limits<double>::infinity(), largest = -least;
+    for (const std::size_t i : list)
+      for (const Vertex v : region(nodes_[i]).vertices) {
+        const Vec p = to_vec(mesh_[nodes_[i].side]->point(v));
+        const double at = direction.dot(p);
+        if (at < least) first = p;
+        if (at > largest) last = p;
+        least = std::min(least, at);
+        largest = std::max(largest, at);
+      }
+    first = line_along(axis, first);
+    last = line_along(axis, last);
+    return {first, Vec::Unit(axis).cross(last - first)};
+  }
+
+  /// The line parallel to an axis that stands for all within rounding, as the point where the coordinate is zero.
+  Vec line_along(int axis, Vec p) {
+    const double cell = 4 * tolerance_;
+    p[axis] = 0;
+    std::array<double, 3> key{std::round(p.x() / cell), std::round(p.y() / cell), std::round(p.z() / cell)};
+    auto& known = lines_[axis];
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j) {
+        std::array<double, 3> near = key;
+        near[(axis + 1) % 3] += i;
+        near[(axis + 2) % 3] += j;
+        if (const auto found = known.find(near); found != known.end()) return found->second;
+      }
+    return known[key] = on_grid(p, step_of(tolerance_));
+  }
+
+  [[nodiscard]] bool fits(const Plane& plane, const std::vector<std::size_t>& list) const {
     for (const std::size_t i : list)
       for (const Vertex v : region(nodes_[i]).vertices)
         if (plane.distance(mesh_[nodes_[i].side]->point(v)) > largest_misfit * tolerance_) return false;
@@ -367,7 +418,7 @@ class Plane_sharing {
         const Blend_mesh& mesh = *mesh_[other];
         const Vertex source = mesh.source(touch.edge), target = mesh.target(touch.edge);
         const Vec from = to_vec(mesh.point(source)), along = to_vec(mesh.point(target)) - from;
-        planes_.push_back({from, along.cross(planes_[first].normal).normalized()});
+        planes_.push_back({from, unit_on_grid(along.cross(planes_[first].normal))});
         bind(place({other, source}), known->second);
         bind(place({other, target}), known->second);
       }
@@ -377,7 +428,7 @@ class Plane_sharing {
 
   std::optional<Shared_planes> solve() {
     std::vector<Vec> normals, points;
-    for (const Fitted_plane& plane : planes_) normals.push_back(plane.normal);
+    for (const Plane& plane : planes_) normals.push_back(plane.normal.normalized());
     for (const Place& place : places_) points.push_back(to_vec(place.point));
     std::vector<Exact_plane> exact_plane(planes_.size());
     std::vector<Exact_point> exact_place(places_.size());
@@ -420,7 +471,8 @@ class Plane_sharing {
   std::set<Touch> touches_;
   std::map<Place_of, Vertex> partner_;  // the vertex of the other body in the same place
   std::map<std::size_t, std::size_t> plane_of_root_;
-  std::vector<Fitted_plane> planes_;  // of regions, then of edges
+  std::array<std::map<std::array<double, 3>, Vec>, 3> lines_;  // along each axis, by their places rounded
+  std::vector<Plane> planes_;  // of regions, then of edges
   std::size_t first_of_edges_ = 0;
   std::map<Place_of, std::size_t> place_of_;
   std::vector<Place> places_;
