@@ -55,52 +55,57 @@ struct Exact_plane {
 /// Cuts the bits of a number off that others next to it do not have either.
 double on_grid(double x, double step) { return std::nearbyint(x / step) * step; }
 
-/// A point on up to three planes with independent normals, near p: keeps as many coordinates of p as it can, so that the
-/// numbers stay short, and those that make the others move least.
+/// A point on up to three planes, near p: keeps as many coordinates of p as it can, so that the numbers stay short, and
+/// those that make the others move least. Leaves out planes that turn out to depend on the others.
 /// \param step coordinates that stay are multiples of it
 Exact_point project(const Point_3& p, const std::vector<Exact_plane>& planes, double step) {
   struct Row {
     std::array<Exact_number, 3> factor;
     Exact_number right;
     double norm = 0;
+    int column = 0;  // of the coordinate that the row gives
   };
-  const std::size_t n = planes.size();
-  std::vector<Row> rows(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  std::vector<Row> rows(planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto& [q, normal] = planes[i];
     rows[i].factor = {normal.x(), normal.y(), normal.z()};
     rows[i].right = normal.x() * q.x() + normal.y() * q.y() + normal.z() * q.z();
     for (int j = 0; j < 3; ++j) rows[i].norm = std::max(rows[i].norm, std::abs(CGAL::to_double(normal[j])));
   }
-  std::array<int, 3> column{};  // of the coordinate that a row gives
   std::array<bool, 3> taken{};
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < rows.size();) {
     double largest = -1;
     std::size_t pivot = i;
-    for (std::size_t k = i; k < n; ++k)
+    for (std::size_t k = i; k < rows.size(); ++k)
       for (int j = 0; j < 3; ++j) {
-        const double size = std::abs(CGAL::to_double(rows[k].factor[j])) / rows[k].norm;
+        const double norm = rows[k].norm, size = norm > 0 ? std::abs(CGAL::to_double(rows[k].factor[j])) / norm : 0;
         if (taken[j] || size <= largest) continue;
         largest = size;
         pivot = k;
-        column[i] = j;
+        rows[k].column = j;
       }
     std::swap(rows[i], rows[pivot]);
-    taken[column[i]] = true;
-    for (std::size_t k = i + 1; k < n; ++k) {
-      const Exact_number share = rows[k].factor[column[i]] / rows[i].factor[column[i]];
+    const int column = rows[i].column;
+    if (CGAL::is_zero(rows[i].factor[column])) {
+      rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
+      continue;
+    }
+    taken[column] = true;
+    for (std::size_t k = i + 1; k < rows.size(); ++k) {
+      const Exact_number share = rows[k].factor[column] / rows[i].factor[column];
       for (int j = 0; j < 3; ++j) rows[k].factor[j] -= share * rows[i].factor[j];
       rows[k].right -= share * rows[i].right;
     }
+    ++i;
   }
   std::array<Exact_number, 3> x;
   for (int j = 0; j < 3; ++j)
-    if (!taken[j]) x[j] = n == 0 ? p[j] : on_grid(p[j], step);
-  for (std::size_t i = n; i-- > 0;) {
-    Exact_number right = rows[i].right;
+    if (!taken[j]) x[j] = rows.empty() ? p[j] : on_grid(p[j], step);
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+    Exact_number right = row->right;
     for (int j = 0; j < 3; ++j)
-      if (j != column[i]) right -= rows[i].factor[j] * x[j];
-    x[column[i]] = right / rows[i].factor[column[i]];
+      if (j != row->column) right -= row->factor[j] * x[j];
+    x[row->column] = right / row->factor[row->column];
   }
   const Exact_point result(x[0], x[1], x[2]);
   CGAL::exact(result);

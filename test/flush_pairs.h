@@ -235,7 +235,7 @@ inline const std::vector<Flush_family>& flush_families() {
        }},
       {"plate with a boss, and a second boss beside it",
        [](Dice& dice) {
-         const Outline outline = polygon(0.25, dice.integer(3, 12));
+         const Outline outline = polygon(0.2, dice.integer(3, 12));
          const Extent second{{{0.25, 0.75}, {-0.25, dice.coin() ? 0.25 : 1}, {dice.coin() ? 0 : -0.25, 0.5}}};
          const double overlap = -second[2].first * volume(second) / length(second[2]);
          return Flush_pair{united(plate(1, 0.25), prism(outline, 0, 0.5)), box_of(second), 1 + area(outline) / 2,
