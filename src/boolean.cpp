@@ -40,11 +40,27 @@ bool flat(Edge e, const Blend_mesh& mesh, const Cell_map& cells, const Operands&
   return true;
 }
 
+/// True if the faces at every vertex form one closed fan. Corefinement of bodies that are coplanar but for rounding may
+/// answer that all is well and leave something else.
+bool is_sound(const Blend_mesh& mesh) {
+  std::size_t met = 0;
+  for (const Vertex v : mesh.vertices()) {
+    const Halfedge start = mesh.halfedge(v);
+    if (start == Blend_mesh::null_halfedge()) return false;
+    Halfedge h = start;
+    do {
+      if (mesh.is_border(h) || mesh.target(h) != v) return false;
+      h = mesh.opposite(mesh.next(h));
+      ++met;
+    } while (h != start);
+  }
+  return met == mesh.number_of_halfedges();
+}
+
 /// Puts the result into an order that depends on the operands only: corefinement takes its own from addresses. Vertices
 /// of the operands come first, new ones by their place; faces go by the face that they are a part of, and their corners.
 /// A face starts at the first corner of that face, if it has it, else at its corner of least rank.
-/// \returns false if the faces at a vertex do not form one fan
-bool put_in_order(Blend_mesh& mesh, Corefinement_record& record, const Operands& operands,
+void put_in_order(Blend_mesh& mesh, Corefinement_record& record, const Operands& operands,
                   std::vector<Edge>& creases) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> rank(mesh.number_of_vertices(), no_origin);
@@ -103,18 +119,14 @@ bool put_in_order(Blend_mesh& mesh, Corefinement_record& record, const Operands&
     cell_of_face.push_back(key.cell);
   }
   Blend_mesh ordered = reorder(mesh, vertices, faces).mesh;
-  for (Edge& e : creases) {
-    const Halfedge h = ordered.halfedge(Vertex(rank[mesh.vertex(e, 0).idx()]), Vertex(rank[mesh.vertex(e, 1).idx()]));
-    if (h == Blend_mesh::null_halfedge()) return false;
-    e = ordered.edge(h);
-  }
+  for (Edge& e : creases)
+    e = ordered.edge(ordered.halfedge(Vertex(rank[mesh.vertex(e, 0).idx()]), Vertex(rank[mesh.vertex(e, 1).idx()])));
   std::sort(creases.begin(), creases.end());
   record.cell_of_face = std::move(cell_of_face);
   for (auto& of_operand : record.vertex_of)
     for (Vertex& v : of_operand)
       if (v != Blend_mesh::null_vertex()) v = Vertex(rank[v.idx()]);
   mesh = std::move(ordered);
-  return true;
 }
 
 Diagnosis refusal(Status status) {
@@ -133,14 +145,15 @@ void finish(Boolean_result& result, bool done, Edge_marks marks, Corefinement_re
     result.diagnosis = refusal(result.coplanar ? Status::operands_coplanar : Status::operands_touch);
     return;
   }
+  if (!is_sound(result.mesh)) {
+    result.diagnosis = refusal(result.coplanar ? Status::operands_coplanar : Status::boolean_failed);
+    return;
+  }
   record.cell_of_face.resize(result.mesh.number_of_faces());
   std::vector<Edge> creases;
   for (const Edge e : result.mesh.edges())
     if (marks[e]) creases.push_back(e);
-  if (!put_in_order(result.mesh, record, operands, creases)) {
-    result.diagnosis = refusal(result.coplanar ? Status::operands_coplanar : Status::boolean_failed);
-    return;
-  }
+  put_in_order(result.mesh, record, operands, creases);
   result.cells = Cell_map(record.faces, std::move(record.cell_of_face), std::move(record.vertex_of));
   for (const Edge e : creases)
     if (!flat(e, result.mesh, result.cells, operands, point)) result.curves.push_back(e);

@@ -180,9 +180,14 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
   const double boolean_time = watch.milliseconds();
   outcome = blend_boolean({&a, &b}, sharp, operation, out, options);
   outcome.times.boolean = boolean_time;
+  if (nearly_coplanar && outcome.ok() && !validate(out).ok()) {  // whole faces may cross each other then
+    outcome = refused(Status::operands_coplanar);
+    out.clear();
+  }
   if (!nearly_coplanar && is_failure_of_boolean(outcome)) {
     Fillet_outcome other;
     if (on_shared_planes(a, b, operation, out, options, other) && other.ok()) return other;
+    out.clear();
   }
   return outcome;
 }
