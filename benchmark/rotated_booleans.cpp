@@ -20,13 +20,14 @@ struct Tally {
 };
 
 constexpr const char* operation_name(Boolean_operation operation) {
-  return operation == Boolean_operation::union_          ? "union"
+  return operation == Boolean_operation::union_         ? "union"
          : operation == Boolean_operation::intersection ? "intersection"
-                                                         : "difference";
+                                                        : "difference";
 }
 
 /// Runs one boolean; prints a line unless it is valid.
-void run(const Flush_family& family, std::uint32_t seed, Boolean_operation operation, double radius, double distance, Tally& tally) {
+void run(const Flush_family& family, std::uint32_t seed, Boolean_operation operation, double radius, double distance,
+         Tally& tally) {
   Dice dice(seed);
   const Flush_pair pair = moved_pair(family.draw(dice), dice, distance);
   Fillet_options options;

@@ -60,8 +60,7 @@ bool is_sound(const Blend_mesh& mesh) {
 /// Puts the result into an order that depends on the operands only: corefinement takes its own from addresses. Vertices
 /// of the operands come first, new ones by their place; faces go by the face that they are a part of, and their corners.
 /// A face starts at the first corner of that face, if it has it, else at its corner of least rank.
-void put_in_order(Blend_mesh& mesh, Corefinement_record& record, const Operands& operands,
-                  std::vector<Edge>& creases) {
+void put_in_order(Blend_mesh& mesh, Corefinement_record& record, const Operands& operands, std::vector<Edge>& creases) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> rank(mesh.number_of_vertices(), no_origin);
   const auto list = [&](Vertex v) {
@@ -163,7 +162,8 @@ Edge_marks add_marks(Blend_mesh& mesh) { return mesh.add_property_map<Edge, bool
 
 /// Gives the vertices of an exact result places in doubles: vertices of the operands those that they have, if they are
 /// vertices of the result by corefinement or by their place.
-void round_points(Exact_mesh& exact, const Shared_planes& planes, const Operands& operands, Corefinement_record& record) {
+void round_points(Exact_mesh& exact, const Shared_planes& planes, const Operands& operands,
+                  Corefinement_record& record) {
   Blend_mesh& mesh = exact.mesh;
   std::vector<bool> placed(mesh.number_of_vertices(), false);
   const auto place = [&](Vertex v, const Point_3& p) {
@@ -172,7 +172,8 @@ void round_points(Exact_mesh& exact, const Shared_planes& planes, const Operands
   };
   for (int k = 1; k >= 0; --k)  // where both operands have a vertex, the first decides
     for (const Vertex v : operands[k]->vertices())
-      if (const Vertex w = record.vertex_of[k][v.idx()]; w != Blend_mesh::null_vertex()) place(w, operands[k]->point(v));
+      if (const Vertex w = record.vertex_of[k][v.idx()]; w != Blend_mesh::null_vertex())
+        place(w, operands[k]->point(v));
   std::map<Point_3, std::vector<Vertex>> others;  // by their places rounded
   for (const Vertex v : mesh.vertices()) {
     if (placed[v.idx()]) continue;

@@ -16,9 +16,9 @@ struct Boolean_result {
   Diagnosis diagnosis;
   Blend_mesh mesh;
   Cell_map cells;
-  std::vector<Edge> curves;         ///< edges where the operands' surfaces cross or touch at an angle
-  bool coplanar = false;            ///< some faces of the operands lie in a common plane and overlap
-  bool contact = false;             ///< the surfaces have a point in common
+  std::vector<Edge> curves;  ///< edges where the operands' surfaces cross or touch at an angle
+  bool coplanar = false;     ///< some faces of the operands lie in a common plane and overlap
+  bool contact = false;      ///< the surfaces have a point in common
 };
 
 /// Computes a boolean by CGAL's corefinement. The operands are closed, outward oriented, without self-intersections.

@@ -10,9 +10,9 @@ namespace cgal_blend {
 
 bool corefine_exactly(std::array<Exact_mesh, 2>& operands, Boolean_operation operation, Exact_mesh& out,
                       Edge_marks marks, Corefinement_record& record) {
-  return corefine_points<Blend_mesh::Property_map<Vertex, Exact_point>>(
-      {&operands[0].mesh, &operands[1].mesh}, {operands[0].points, operands[1].points}, operation, out.mesh, out.points,
-      marks, record);
+  return corefine_points<Blend_mesh::Property_map<Vertex, Exact_point>>({&operands[0].mesh, &operands[1].mesh},
+                                                                        {operands[0].points, operands[1].points},
+                                                                        operation, out.mesh, out.points, marks, record);
 }
 
 }  // namespace cgal_blend

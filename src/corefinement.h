@@ -15,13 +15,13 @@ namespace cgal_blend {
 
 /// What corefinement tells about the result of a boolean.
 struct Corefinement_record {
-  std::array<std::size_t, 2> faces{}, vertices{};             // before corefinement
-  std::array<std::vector<Cell_map::Cell>, 2> origin;          // base face of each face, by operand
-  std::array<std::vector<Vertex>, 2> vertex_of;               // in the result, by operand
-  std::vector<Cell_map::Cell> cell_of_face;                   // of the result
-  bool coplanar = false;                                      // some faces are coplanar
-  bool contact = false;                                       // some point in common
-  bool spread = false;                                        // contact beyond vertices, or at vertices not in line
+  std::array<std::size_t, 2> faces{}, vertices{};     // before corefinement
+  std::array<std::vector<Cell_map::Cell>, 2> origin;  // base face of each face, by operand
+  std::array<std::vector<Vertex>, 2> vertex_of;       // in the result, by operand
+  std::vector<Cell_map::Cell> cell_of_face;           // of the result
+  bool coplanar = false;                              // some faces are coplanar
+  bool contact = false;                               // some point in common
+  bool spread = false;                                // contact beyond vertices, or at vertices not in line
 };
 
 /// A mesh with the points to compute with, where these are not its own.

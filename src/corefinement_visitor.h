@@ -27,7 +27,9 @@ class Corefinement_visitor : public CGAL::Polygon_mesh_processing::Corefinement:
     }
   }
 
-  void before_subface_creations(Face old, Blend_mesh& mesh) { shared_->current = record_->origin[side(mesh)][old.idx()]; }
+  void before_subface_creations(Face old, Blend_mesh& mesh) {
+    shared_->current = record_->origin[side(mesh)][old.idx()];
+  }
   void after_subface_created(Face created, Blend_mesh& mesh) {
     auto& origin = record_->origin[side(mesh)];
     if (origin.size() <= created.idx()) origin.resize(created.idx() + 1);
@@ -91,8 +93,7 @@ bool corefine_points(const std::array<Blend_mesh*, 2>& operands, const std::arra
                      Corefinement_record& record) {
   namespace PMP = CGAL::Polygon_mesh_processing;
   const Corefinement_visitor<Points> visitor({operands[0], operands[1]}, points, record);
-  const auto first =
-      CGAL::parameters::vertex_point_map(points[0]).visitor(visitor).throw_on_self_intersection(true);
+  const auto first = CGAL::parameters::vertex_point_map(points[0]).visitor(visitor).throw_on_self_intersection(true);
   const auto second = CGAL::parameters::vertex_point_map(points[1]);
   const auto result = CGAL::parameters::vertex_point_map(out_points).edge_is_constrained_map(marks);
   Blend_mesh &a = *operands[0], &b = *operands[1];

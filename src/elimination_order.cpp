@@ -16,8 +16,13 @@ class Elimination {
  public:
   Elimination(const std::vector<Vec>& points, const std::vector<Vec>& normals,
               const std::vector<std::pair<std::size_t, std::size_t>>& bonds, double least_distance)
-      : points_(points), normals_(normals), least_distance_(least_distance), planes_of_(points.size()),
-        points_of_(normals.size()), point_gone_(points.size(), false), plane_gone_(normals.size(), false),
+      : points_(points),
+        normals_(normals),
+        least_distance_(least_distance),
+        planes_of_(points.size()),
+        points_of_(normals.size()),
+        point_gone_(points.size(), false),
+        plane_gone_(normals.size(), false),
         plane_queued_(normals.size(), true) {
     for (const auto& [point, plane] : bonds) {
       planes_of_[point].push_back(plane);

@@ -78,8 +78,7 @@ bool exactly_coplanar(const Corners& f, const Corners& g) {
 double rounding_tolerance(const Blend_mesh& a, const Blend_mesh& b) {
   const CGAL::Bbox_3 box = box_of(a) + box_of(b);
   double largest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    largest = std::max({largest, std::abs(box.min(axis)), std::abs(box.max(axis))});
+  for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::abs(box.min(axis)), std::abs(box.max(axis))});
   return rounding_fraction * largest;
 }
 

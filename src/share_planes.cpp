@@ -27,6 +27,8 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 // Two planes that meet at a smaller angle do not say well where their line is. Sine.
 constexpr double steep_enough = 0.17;
+// Edges at a smaller angle are not said to cross. Sine.
+constexpr double least_crossing = 1e-3;
 // In units of the tolerance: how far points may be off a plane that several regions share, and how far a vertex may move
 // that lies on planes at small angles.
 constexpr double largest_misfit = 4, largest_move = 64;
@@ -35,16 +37,16 @@ constexpr double largest_misfit = 4, largest_move = 64;
 struct Place_of {
   int side;
   Vertex vertex;
-  bool operator<(const Place_of& other) const {
-    return side != other.side ? side < other.side : vertex < other.vertex;
-  }
+  bool operator<(const Place_of& other) const { return side != other.side ? side < other.side : vertex < other.vertex; }
 };
 
 /// A plane that is meant as it stands, to the last bit.
 struct Plane {
   Vec point, normal;  // of any length
 
-  [[nodiscard]] double distance(const Point_3& p) const { return std::abs(normal.dot(to_vec(p) - point)) / normal.norm(); }
+  [[nodiscard]] double distance(const Point_3& p) const {
+    return std::abs(normal.dot(to_vec(p) - point)) / normal.norm();
+  }
 };
 
 struct Exact_plane {
@@ -153,6 +155,7 @@ class Plane_sharing {
     if (!contradiction_) bind_to_planes();
     if (contradiction_) return std::nullopt;
     bind_to_lines();
+    bind_crossings();
     return solve();
   }
 
@@ -201,7 +204,27 @@ class Plane_sharing {
         find_touch({1, mesh_[1]->target(h)}, f);
       for (const Halfedge h : mesh_[0]->halfedges_around_face(mesh_[0]->halfedge(f)))
         find_touch({0, mesh_[0]->target(h)}, g);
+      find_crossings(f, g);
     }
+  }
+
+  /// Finds edges of two faces that meet inside both, at an angle.
+  void find_crossings(Face f, Face g) {
+    const Blend_mesh &a = *mesh_[0], &b = *mesh_[1];
+    for (const Halfedge h : a.halfedges_around_face(a.halfedge(f)))
+      for (const Halfedge k : b.halfedges_around_face(b.halfedge(g))) {
+        const Vector_3 u = a.point(a.target(h)) - a.point(a.source(h)), v = b.point(b.target(k)) - b.point(b.source(k));
+        const Vector_3 between = b.point(b.source(k)) - a.point(a.source(h)), across = CGAL::cross_product(u, v);
+        const double height = between * across, size = across.squared_length();
+        if (height * height > tolerance_ * tolerance_ * size) continue;
+        if (!(size > least_crossing * least_crossing * u.squared_length() * v.squared_length())) continue;
+        const double s = CGAL::cross_product(between, v) * across / size,
+                     t = CGAL::cross_product(between, u) * across / size;
+        const double margin_s = tolerance_ / std::sqrt(u.squared_length()),
+                     margin_t = tolerance_ / std::sqrt(v.squared_length());
+        if (s > margin_s && s < 1 - margin_s && t > margin_t && t < 1 - margin_t)
+          crossings_.insert({a.halfedge(a.edge(h)), b.halfedge(b.edge(k))});
+      }
   }
 
   /// The larger region says more about the plane than the smaller one; which one is larger depends on the direction.
@@ -359,7 +382,6 @@ class Plane_sharing {
     return true;
   }
 
-
   [[nodiscard]] bool shares_coordinate(const Node& n, int axis) const {
     const auto& vertices = region(n).vertices;
     const Blend_mesh& mesh = *mesh_[n.side];
@@ -431,6 +453,24 @@ class Plane_sharing {
     }
   }
 
+  /// Edges that cross each other away from common planes get a plane that contains both.
+  void bind_crossings() {
+    for (const auto& [h, k] : crossings_) {
+      const std::array<Place_of, 4> ends{Place_of{0, mesh_[0]->source(h)}, Place_of{0, mesh_[0]->target(h)},
+                                         Place_of{1, mesh_[1]->source(k)}, Place_of{1, mesh_[1]->target(k)}};
+      std::array<std::size_t, 4> at{};
+      std::transform(ends.begin(), ends.end(), at.begin(), [&](const Place_of& end) { return place(end); });
+      bool meet = false;  // already
+      for (std::size_t i = 0; i < planes_.size() && !meet; ++i)
+        meet = std::all_of(at.begin(), at.end(), [&](std::size_t p) { return bound(p, i); });
+      if (meet) continue;
+      const Vec p = to_vec(places_[at[0]].point), q = to_vec(places_[at[1]].point);
+      const Vec r = to_vec(places_[at[2]].point), s = to_vec(places_[at[3]].point);
+      for (const std::size_t i : at) bind(i, planes_.size());
+      planes_.push_back({p, unit_on_grid((q - p).cross(s - r))});
+    }
+  }
+
   std::optional<Shared_planes> solve() {
     std::vector<Vec> normals, points;
     for (const Plane& plane : planes_) normals.push_back(plane.normal.normalized());
@@ -474,10 +514,11 @@ class Plane_sharing {
   std::vector<Node> nodes_;
   std::set<std::size_t> in_use_;  // nodes
   std::set<Touch> touches_;
+  std::set<std::pair<Halfedge, Halfedge>> crossings_;
   std::map<Place_of, Vertex> partner_;  // the vertex of the other body in the same place
   std::map<std::size_t, std::size_t> plane_of_root_;
   std::array<std::map<std::array<double, 3>, Vec>, 3> lines_;  // along each axis, by their places rounded
-  std::vector<Plane> planes_;  // of regions, then of edges
+  std::vector<Plane> planes_;                                  // of regions, then of edges
   std::size_t first_of_edges_ = 0;
   std::map<Place_of, std::size_t> place_of_;
   std::vector<Place> places_;
@@ -490,7 +531,8 @@ constexpr double least_frame = 0.3;
 
 /// The directions with most vertices, as far as they are independent, filled up at right angles.
 Frame frame_along(std::vector<std::pair<Vec, std::size_t>> directions, const Point_3& origin) {
-  std::stable_sort(directions.begin(), directions.end(), [](const auto& d, const auto& e) { return d.second > e.second; });
+  std::stable_sort(directions.begin(), directions.end(),
+                   [](const auto& d, const auto& e) { return d.second > e.second; });
   std::vector<Vec> chosen;
   for (const auto& [n, count] : directions) {
     if (chosen.size() == 3) break;
@@ -525,7 +567,8 @@ std::optional<Shared_planes> share_planes(const Blend_mesh& a, const Blend_mesh&
   const Frame frame = frame_along(Plane_sharing(a, b, tolerance).directions(), a.point(*a.vertices().begin()));
   if (frame.to_frame.isIdentity(0)) return Plane_sharing(a, b, tolerance).run();
   const double step = step_of(tolerance);
-  std::optional<Shared_planes> result = Plane_sharing(in_frame(a, frame, step), in_frame(b, frame, step), tolerance).run();
+  std::optional<Shared_planes> result =
+      Plane_sharing(in_frame(a, frame, step), in_frame(b, frame, step), tolerance).run();
   if (result) result->frame = frame;
   return result;
 }

@@ -41,7 +41,9 @@ class Dice {
  public:
   explicit Dice(std::uint32_t seed) : engine_(seed) {}
   /// An integer in [low, high].
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint32_t>(high - low + 1)); }
+  int integer(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<std::uint32_t>(high - low + 1));
+  }
   /// A number in [0, 1).
   double real() { return engine_() / 4294967296.0; }
   bool coin() { return engine_() % 2 == 0; }
@@ -72,9 +74,7 @@ inline Flush_pair boxes(const Extent& a, const Extent& b, int grid_a = 1, int gr
 }
 
 /// Swaps the coordinates round, so that no direction is special.
-inline Extent cycled(const Extent& e, int by) {
-  return {e[by % 3], e[(by + 1) % 3], e[(by + 2) % 3]};
-}
+inline Extent cycled(const Extent& e, int by) { return {e[by % 3], e[(by + 1) % 3], e[(by + 2) % 3]}; }
 
 inline Blend_mesh united(const Blend_mesh& a, const Blend_mesh& b) {
   Blend_mesh out;
@@ -135,7 +135,8 @@ inline const std::vector<Flush_family>& flush_families() {
       {"cubes, part of a face",
        [](Dice& dice) {
          const int by = dice.integer(0, 2), x = dice.integer(0, 5), y = dice.integer(0, 5);
-         const Extent small{{{x / 8.0, (x + dice.integer(1, 8 - x)) / 8.0}, {y / 8.0, (y + dice.integer(1, 8 - y)) / 8.0}, {1, 1.5}}};
+         const Extent small{
+             {{x / 8.0, (x + dice.integer(1, 8 - x)) / 8.0}, {y / 8.0, (y + dice.integer(1, 8 - y)) / 8.0}, {1, 1.5}}};
          return boxes(cycled({{{0, 1}, {0, 1}, {0, 1}}}, by), cycled(small, by));
        }},
       {"cubes, offset faces",
@@ -160,12 +161,14 @@ inline const std::vector<Flush_family>& flush_families() {
       {"flush pocket",
        [](Dice& dice) {
          const int x = dice.integer(1, 5), y = dice.integer(0, 5);
-         return boxes({{{0, 1}, {0, 1}, {0, 0.5}}}, {{{x / 8.0, (x + 2) / 8.0}, {y / 8.0, (y + 2) / 8.0}, {dice.coin() ? 0.25 : 0, 0.5}}});
+         return boxes({{{0, 1}, {0, 1}, {0, 0.5}}},
+                      {{{x / 8.0, (x + 2) / 8.0}, {y / 8.0, (y + 2) / 8.0}, {dice.coin() ? 0.25 : 0, 0.5}}});
        }},
       {"stacked boxes, in the middle",
        [](Dice& dice) {
          const double inset = dice.integer(1, 7) / 16.0;
-         return boxes({{{0, 1}, {0, 1}, {0, 1}}}, {{{inset, 1 - inset}, {inset, 1 - inset}, {1, 1 + dice.integer(1, 4) / 4.0}}});
+         return boxes({{{0, 1}, {0, 1}, {0, 1}}},
+                      {{{inset, 1 - inset}, {inset, 1 - inset}, {1, 1 + dice.integer(1, 4) / 4.0}}});
        }},
       {"stacked boxes of many faces",
        [](Dice& dice) {
@@ -178,8 +181,8 @@ inline const std::vector<Flush_family>& flush_families() {
        [](Dice& dice) {
          const Outline outline = polygon(1, dice.integer(3, 24), dice.real());
          const double overlap = dice.coin() ? 0 : 0.25;
-         return Flush_pair{prism(outline, 0, 1), prism(outline, 1 - overlap, 2), area(outline), (1 + overlap) * area(outline),
-                           overlap * area(outline)};
+         return Flush_pair{prism(outline, 0, 1), prism(outline, 1 - overlap, 2), area(outline),
+                           (1 + overlap) * area(outline), overlap * area(outline)};
        }},
       {"coaxial prisms, one in the other",
        [](Dice& dice) {
@@ -194,14 +197,15 @@ inline const std::vector<Flush_family>& flush_families() {
          const int n = dice.integer(3, 12);
          const Outline outer = polygon(1, n), inner = polygon(std::cos(pi / n), n, 0.5);
          const double bottom = dice.coin() ? 0 : 1;
-         return Flush_pair{prism(outer, 0, 1), prism(inner, bottom, bottom + 1), area(outer), area(inner),
-                           bottom == 0 ? area(inner) : 0, bottom == 0};
+         return Flush_pair{prism(outer, 0, 1), prism(inner, bottom, bottom + 1), area(outer),
+                           area(inner),        bottom == 0 ? area(inner) : 0,    bottom == 0};
        }},
       {"coaxial cylinders",
        [](Dice& dice) {
          const int n = dice.integer(8, 24);  // CGAL takes seconds for fans of 60 faces on each other
          const double r = dice.coin() ? 1 : 0.5, z = dice.integer(0, 3) / 4.0 + 0.25, circle = area(polygon(1, n));
-         return Flush_pair{cylinder(1, n, 0, 1), cylinder(r, n, z, z + 1), circle, r * r * circle, (1 - z) * r * r * circle};
+         return Flush_pair{cylinder(1, n, 0, 1), cylinder(r, n, z, z + 1), circle, r * r * circle,
+                           (1 - z) * r * r * circle};
        }},
       {"L-shape and a box in its notch",
        [](Dice& dice) {
@@ -246,8 +250,8 @@ inline const std::vector<Flush_family>& flush_families() {
          const Outline outline = polygon(1, dice.integer(3, 8));
          if (dice.coin()) {  // the point of a pyramid set on its stump
            const double whole = area(outline) / 3, point = whole / 8;
-           return Flush_pair{frustum(outline, 0, 0.5, 0.5), pyramid(polygon(0.5, static_cast<int>(outline.size())), 0.5, 1),
-                             whole - point, point, 0};
+           return Flush_pair{frustum(outline, 0, 0.5, 0.5),
+                             pyramid(polygon(0.5, static_cast<int>(outline.size())), 0.5, 1), whole - point, point, 0};
          }
          return Flush_pair{pyramid(outline, 0, 1), prism(outline, -1, 0), area(outline) / 3, area(outline), 0};
        }},
