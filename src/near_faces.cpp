@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "near_faces.h"
 
+#include "cell_marks.h"
+
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace cgal_blend {
 
 namespace {
 
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Face>;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Face, CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS>;
 using Corners = std::array<Point_3, 3>;
 
 Corners corners(const Blend_mesh& mesh, Face f) {
@@ -19,9 +22,36 @@ Corners corners(const Blend_mesh& mesh, Face f) {
   return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))};
 }
 
-CGAL::Bbox_3 grown_box(const Corners& c, double by) {
-  const CGAL::Bbox_3 box = c[0].bbox() + c[1].bbox() + c[2].bbox();
-  return {box.xmin() - by, box.ymin() - by, box.zmin() - by, box.xmax() + by, box.ymax() + by, box.zmax() + by};
+struct Face_boxes {
+  std::vector<Face> faces;
+  std::vector<CGAL::Bbox_3> boxes;
+};
+
+Face_boxes grown_boxes(const Blend_mesh& mesh, double by) {
+  Face_boxes result;
+  result.faces.reserve(mesh.number_of_faces());
+  result.boxes.reserve(mesh.number_of_faces());
+  for (const Face f : mesh.faces()) {
+    const Corners c = corners(mesh, f);
+    const CGAL::Bbox_3 box = c[0].bbox() + c[1].bbox() + c[2].bbox();
+    result.faces.push_back(f);
+    result.boxes.emplace_back(box.xmin() - by, box.ymin() - by, box.zmin() - by, box.xmax() + by, box.ymax() + by,
+                              box.zmax() + by);
+  }
+  return result;
+}
+
+/// Leaves those that may meet one of the others.
+void sift(Face_boxes& all, const Face_boxes& others) {
+  if (others.boxes.empty()) return;
+  const internal::Cell_marks marks(others.boxes, internal::cells_for(others.boxes.size()));
+  Face_boxes left;
+  for (std::size_t i = 0; i < all.boxes.size(); ++i)
+    if (marks.meets(all.boxes[i])) {
+      left.faces.push_back(all.faces[i]);
+      left.boxes.push_back(all.boxes[i]);
+    }
+  all = std::move(left);
 }
 
 CGAL::Bbox_3 box_of(const Blend_mesh& mesh) {
@@ -30,13 +60,10 @@ CGAL::Bbox_3 box_of(const Blend_mesh& mesh) {
   return box;
 }
 
-/// Boxes of the faces that meet a region.
-std::vector<Box> boxes_within(const Blend_mesh& mesh, const CGAL::Bbox_3& region, double tolerance) {
+std::vector<Box> labelled(const Face_boxes& faces) {
   std::vector<Box> boxes;
-  for (const Face f : mesh.faces()) {
-    const CGAL::Bbox_3 box = grown_box(corners(mesh, f), tolerance);
-    if (CGAL::do_overlap(box, region)) boxes.emplace_back(box, f);
-  }
+  boxes.reserve(faces.boxes.size());
+  for (std::size_t i = 0; i < faces.boxes.size(); ++i) boxes.emplace_back(faces.boxes[i], faces.faces[i]);
   return boxes;
 }
 
@@ -49,7 +76,10 @@ std::vector<const Box*> pointers(const std::vector<Box>& boxes) {
 
 template <class Visit>
 void each_near_pair(const Blend_mesh& a, const Blend_mesh& b, double tolerance, const Visit& visit) {
-  const std::vector<Box> of_a = boxes_within(a, box_of(b), tolerance), of_b = boxes_within(b, box_of(a), tolerance);
+  Face_boxes near_a = grown_boxes(a, tolerance), near_b = grown_boxes(b, tolerance);
+  sift(near_b, near_a);
+  sift(near_a, near_b);
+  const std::vector<Box> of_a = labelled(near_a), of_b = labelled(near_b);
   std::vector<const Box*> p = pointers(of_a), q = pointers(of_b);
   const std::ptrdiff_t cutoff = 2000;  // as in CGAL's own search for intersections
   CGAL::box_intersection_d(
