@@ -16,6 +16,7 @@ namespace {
 
 struct Tally {
   int trials = 0, valid = 0, refused = 0, invalid = 0;
+  int no_body = 0;  // rightly refused: the result is empty or touches itself along edges
   double milliseconds = 0;
 };
 
@@ -53,7 +54,7 @@ void run(const Flush_family& family, std::uint32_t seed, Boolean_operation opera
     problem.empty() ? ++tally.valid : ++tally.invalid;
   } else if ((empty && outcome.diagnosis.status == Status::empty_result) ||
              (pair.difference_touches_itself && operation == Boolean_operation::difference)) {
-    ++tally.valid;
+    ++tally.no_body;
   } else {
     ++tally.refused;
     problem = std::string("refused ") + name(outcome.diagnosis.status) + " " + outcome.diagnosis.detail;
@@ -63,8 +64,8 @@ void run(const Flush_family& family, std::uint32_t seed, Boolean_operation opera
 }
 
 void print(const char* name, const Tally& tally) {
-  std::printf("%-40s %5d trials  valid %5d  refused %5d  invalid %5d  %7.1f ms each\n", name, tally.trials, tally.valid,
-              tally.refused, tally.invalid, tally.milliseconds / tally.trials);
+  std::printf("%-40s %5d trials  valid %5d  no body %5d  refused %5d  invalid %5d  %7.1f ms each\n", name, tally.trials,
+              tally.valid, tally.no_body, tally.refused, tally.invalid, tally.milliseconds / tally.trials);
 }
 
 }  // namespace
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
     test::print(family.name, tally);
     total.trials += tally.trials;
     total.valid += tally.valid;
+    total.no_body += tally.no_body;
     total.refused += tally.refused;
     total.invalid += tally.invalid;
     total.milliseconds += tally.milliseconds;
