@@ -1,119 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boolean.h"
 
+#include "corefinement.h"
 #include "stitching.h"
-
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <exception>
-#include <memory>
+#include <map>
+#include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace cgal_blend {
 
 namespace {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 using Cell = Cell_map::Cell;
-
-/// What the visitor learns; shared by its copies.
-struct Record {
-  std::array<const Blend_mesh*, 2> operand{};
-  std::array<std::size_t, 2> faces{}, vertices{};  // before corefinement
-  std::array<std::vector<Cell>, 2> origin;         // base face of each face, by operand
-  std::array<std::vector<Vertex>, 2> vertex_of;
-  std::vector<Cell> cell_of_face;
-  Cell current = 0;
-  bool coplanar = false;
-  bool contact = false;
-  bool spread = false;               // contact beyond vertices, or at vertices that are not in line
-  std::vector<Point_3> at_vertices;  // up to two different ones
-
-  void note(const Point_3* vertex) {
-    contact = true;
-    if (spread) return;
-    if (!vertex)
-      spread = true;
-    else if (at_vertices.size() == 2)
-      spread = !CGAL::collinear(at_vertices[0], at_vertices[1], *vertex);
-    else if (at_vertices.empty() || at_vertices[0] != *vertex)
-      at_vertices.push_back(*vertex);
-  }
-
-  [[nodiscard]] int side(const Blend_mesh& mesh) const { return &mesh == operand[0] ? 0 : 1; }
-};
-
-struct Origin_visitor : PMP::Corefinement::Default_visitor<Blend_mesh> {
-  std::shared_ptr<Record> record;
-
-  void before_subface_creations(Face old, Blend_mesh& mesh) {
-    record->current = record->origin[record->side(mesh)][old.idx()];
-  }
-  void after_subface_created(Face created, Blend_mesh& mesh) {
-    auto& origin = record->origin[record->side(mesh)];
-    if (origin.size() <= created.idx()) origin.resize(created.idx() + 1);
-    origin[created.idx()] = record->current;
-  }
-  void after_face_copy(Face old, const Blend_mesh& mesh, Face copy, Blend_mesh&) {
-    const int side = record->side(mesh);
-    auto& cells = record->cell_of_face;
-    if (cells.size() <= copy.idx()) cells.resize(copy.idx() + 1);
-    cells[copy.idx()] = record->origin[side][old.idx()] + static_cast<Cell>(side == 1 ? record->faces[0] : 0);
-  }
-  void after_vertex_copy(Vertex old, const Blend_mesh& mesh, Vertex copy, Blend_mesh&) {
-    const int side = record->side(mesh);
-    if (old.idx() < record->vertices[side]) record->vertex_of[side][old.idx()] = copy;
-  }
-  void intersection_point_detected(std::size_t, int dimension, Halfedge edge, Halfedge simplex, const Blend_mesh& mesh,
-                                   const Blend_mesh& other, bool target_on, bool source_on) {
-    const Point_3* vertex = target_on        ? &mesh.point(mesh.target(edge))
-                            : source_on      ? &mesh.point(mesh.source(edge))
-                            : dimension == 0 ? &other.point(other.target(simplex))
-                                             : nullptr;
-    record->note(vertex);
-  }
-  void start_handling_intersection_of_coplanar_faces(std::size_t count) const {
-    if (count > 0) record->coplanar = true;
-  }
-};
-
-bool run(Blend_mesh& a, Blend_mesh& b, Boolean_operation operation, Blend_mesh& out, const Origin_visitor& visitor,
-         Blend_mesh::Property_map<Edge, bool> crease) {
-  const auto in = CGAL::parameters::visitor(visitor).throw_on_self_intersection(true);
-  const auto none = CGAL::parameters::default_values();
-  const auto marked = CGAL::parameters::edge_is_constrained_map(crease);
-  switch (operation) {
-    case Boolean_operation::union_: return PMP::corefine_and_compute_union(a, b, out, in, none, marked);
-    case Boolean_operation::intersection: return PMP::corefine_and_compute_intersection(a, b, out, in, none, marked);
-    case Boolean_operation::difference: return PMP::corefine_and_compute_difference(a, b, out, in, none, marked);
-  }
-  return false;
-}
+using Operands = std::array<const Blend_mesh*, 2>;
 
 /// True if the base faces on both sides of an edge are coplanar. The faces of the result itself may be too small to tell.
-bool flat(Edge e, const Blend_mesh& mesh, const Cell_map& cells, const std::array<const Blend_mesh*, 2>& operands) {
-  std::array<std::array<Point_3, 3>, 2> corner;
+/// \param point of a vertex of an operand
+template <class Point_of>
+bool flat(Edge e, const Blend_mesh& mesh, const Cell_map& cells, const Operands& operands, const Point_of& point) {
+  using Point = std::decay_t<decltype(point(0, Vertex()))>;
+  std::array<std::array<Point, 3>, 2> corner;
   for (int side = 0; side < 2; ++side) {
     const Face face = mesh.face(mesh.halfedge(e, side));
-    const Blend_mesh& base = *operands[cells.operand(face)];
+    const int operand = cells.operand(face);
+    const Blend_mesh& base = *operands[operand];
     int i = 0;
     for (const Vertex v : base.vertices_around_face(base.halfedge(cells.base_face(face))))
-      corner[side][i++] = base.point(v);
+      corner[side][i++] = point(operand, v);
   }
-  for (const Point_3& p : corner[1])
+  for (const Point& p : corner[1])
     if (!CGAL::coplanar(corner[0][0], corner[0][1], corner[0][2], p)) return false;
   return true;
+}
+
+/// True if the faces at every vertex form one closed fan. Corefinement of bodies that are coplanar but for rounding may
+/// answer that all is well and leave something else.
+bool is_sound(const Blend_mesh& mesh) {
+  std::size_t met = 0;
+  for (const Vertex v : mesh.vertices()) {
+    const Halfedge start = mesh.halfedge(v);
+    if (start == Blend_mesh::null_halfedge()) return false;
+    Halfedge h = start;
+    do {
+      if (mesh.is_border(h) || mesh.target(h) != v) return false;
+      h = mesh.opposite(mesh.next(h));
+      ++met;
+    } while (h != start);
+  }
+  return met == mesh.number_of_halfedges();
 }
 
 /// Puts the result into an order that depends on the operands only: corefinement takes its own from addresses. Vertices
 /// of the operands come first, new ones by their place; faces go by the face that they are a part of, and their corners.
 /// A face starts at the first corner of that face, if it has it, else at its corner of least rank.
-void put_in_order(Blend_mesh& mesh, Record& record, const std::array<const Blend_mesh*, 2>& operands,
-                  std::vector<Edge>& creases) {
+void put_in_order(Blend_mesh& mesh, Corefinement_record& record, const Operands& operands, std::vector<Edge>& creases) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> rank(mesh.number_of_vertices(), no_origin);
   const auto list = [&](Vertex v) {
@@ -187,43 +134,109 @@ Diagnosis refusal(Status status) {
   return diagnosis;
 }
 
+/// Turns what corefinement left behind into a result.
+template <class Point_of>
+void finish(Boolean_result& result, bool done, Edge_marks marks, Corefinement_record& record, const Operands& operands,
+            const Point_of& point) {
+  result.coplanar = record.coplanar && record.spread;
+  result.contact = record.contact;
+  if (!done) {  // CGAL's way to say that the result would not be manifold
+    result.diagnosis = refusal(result.coplanar ? Status::operands_coplanar : Status::operands_touch);
+    return;
+  }
+  if (!is_sound(result.mesh)) {
+    result.diagnosis = refusal(result.coplanar ? Status::operands_coplanar : Status::boolean_failed);
+    return;
+  }
+  record.cell_of_face.resize(result.mesh.number_of_faces());
+  std::vector<Edge> creases;
+  for (const Edge e : result.mesh.edges())
+    if (marks[e]) creases.push_back(e);
+  put_in_order(result.mesh, record, operands, creases);
+  result.cells = Cell_map(record.faces, std::move(record.cell_of_face), std::move(record.vertex_of));
+  for (const Edge e : creases)
+    if (!flat(e, result.mesh, result.cells, operands, point)) result.curves.push_back(e);
+}
+
+Edge_marks add_marks(Blend_mesh& mesh) { return mesh.add_property_map<Edge, bool>("e:blending_curve", false).first; }
+
+/// Gives the vertices of an exact result places in doubles: vertices of the operands those that they have, if they are
+/// vertices of the result by corefinement or by their place.
+void round_points(Exact_mesh& exact, const Shared_planes& planes, const Operands& operands,
+                  Corefinement_record& record) {
+  Blend_mesh& mesh = exact.mesh;
+  std::vector<bool> placed(mesh.number_of_vertices(), false);
+  const auto place = [&](Vertex v, const Point_3& p) {
+    mesh.point(v) = p;
+    placed[v.idx()] = true;
+  };
+  for (int k = 1; k >= 0; --k)  // where both operands have a vertex, the first decides
+    for (const Vertex v : operands[k]->vertices())
+      if (const Vertex w = record.vertex_of[k][v.idx()]; w != Blend_mesh::null_vertex())
+        place(w, operands[k]->point(v));
+  std::map<Point_3, std::vector<Vertex>> others;  // by their places rounded
+  for (const Vertex v : mesh.vertices()) {
+    if (placed[v.idx()]) continue;
+    const Point_3 p = rounded(exact.points[v], planes.frame);
+    place(v, p);
+    others[p].push_back(v);
+  }
+  for (int k = 0; k < 2; ++k)
+    for (const Vertex v : operands[k]->vertices()) {
+      if (record.vertex_of[k][v.idx()] != Blend_mesh::null_vertex()) continue;
+      const Exact_point& at = planes.points[k][v.idx()];
+      const auto found = others.find(rounded(at, planes.frame));
+      if (found == others.end()) continue;
+      for (const Vertex w : found->second)
+        if (exact.points[w] == at) {
+          mesh.point(w) = operands[k]->point(v);
+          record.vertex_of[k][v.idx()] = w;
+        }
+    }
+}
+
 }  // namespace
 
 Boolean_result compute_boolean(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation) {
   Boolean_result result;
   std::array<Blend_mesh, 2> copy{a, b};  // corefinement refines its operands
-  auto record = std::make_shared<Record>();
-  for (int k = 0; k < 2; ++k) {
-    record->operand[k] = &copy[k];
-    record->faces[k] = copy[k].number_of_faces();
-    record->vertices[k] = copy[k].number_of_vertices();
-    for (const Face f : copy[k].faces()) record->origin[k].push_back(f.idx());
-    record->vertex_of[k].resize(record->vertices[k]);
-  }
-  Origin_visitor visitor;
-  visitor.record = record;
-  auto crease = result.mesh.add_property_map<Edge, bool>("e:blending_curve", false).first;
-  bool done = false;
+  Corefinement_record record;
+  const Operands operands{&a, &b};
+  const Edge_marks marks = add_marks(result.mesh);
   try {
-    done = run(copy[0], copy[1], operation, result.mesh, visitor, crease);
+    const bool done = corefine(copy, operation, result.mesh, marks, record);
+    finish(result, done, marks, record, operands, [&](int k, Vertex v) { return operands[k]->point(v); });
   } catch (const std::exception&) {
-    result.diagnosis = refusal(record->coplanar ? Status::operands_coplanar : Status::boolean_failed);
-    return result;
+    result.diagnosis = refusal(record.coplanar ? Status::operands_coplanar : Status::boolean_failed);
   }
-  result.coplanar = record->coplanar && record->spread;
-  result.contact = record->contact;
-  if (!done) {  // CGAL's way to say that the result would not be manifold
-    result.diagnosis = refusal(record->coplanar && record->spread ? Status::operands_coplanar : Status::operands_touch);
-    return result;
+  return result;
+}
+
+std::optional<Boolean_result> compute_boolean_on_shared_planes(const Blend_mesh& a, Blend_mesh& b,
+                                                               Boolean_operation operation) {
+  const std::optional<Shared_planes> planes = share_planes(a, b);
+  if (!planes) return std::nullopt;
+  for (const auto& [of_a, of_b] : planes->common) b.point(of_b) = a.point(of_a);
+  const Operands operands{&a, &b};
+  std::array<Exact_mesh, 2> exact;
+  for (int k = 0; k < 2; ++k) {
+    exact[k].mesh = *operands[k];
+    exact[k].points = exact[k].mesh.add_property_map<Vertex, Exact_point>("v:exact").first;
+    for (const Vertex v : exact[k].mesh.vertices()) exact[k].points[v] = planes->points[k][v.idx()];
   }
-  record->cell_of_face.resize(result.mesh.number_of_faces());
-  std::vector<Edge> creases;
-  for (const Edge e : result.mesh.edges())
-    if (crease[e]) creases.push_back(e);
-  put_in_order(result.mesh, *record, {&a, &b}, creases);
-  result.cells = Cell_map(record->faces, std::move(record->cell_of_face), std::move(record->vertex_of));
-  for (const Edge e : creases)
-    if (!flat(e, result.mesh, result.cells, {&a, &b})) result.curves.push_back(e);
+  Exact_mesh out;
+  out.points = out.mesh.add_property_map<Vertex, Exact_point>("v:exact").first;
+  const Edge_marks marks = add_marks(out.mesh);
+  Boolean_result result;
+  Corefinement_record record;
+  try {
+    const bool done = corefine_exactly(exact, operation, out, marks, record);
+    if (done) round_points(out, *planes, operands, record);
+    result.mesh = std::move(out.mesh);
+    finish(result, done, marks, record, operands, [&](int k, Vertex v) { return planes->points[k][v.idx()]; });
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "boolean.h"
 #include "fillet_coarse.h"
 #include "fillet_in_passes.h"
+#include "near_faces.h"
 #include "sharp_mesh.h"
 #include "snap_to_planes.h"
 #include "stopwatch.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace cgal_blend {
@@ -86,6 +88,63 @@ Fillet_outcome sharp_boolean(const Fillet_body& body, const Boolean_result& shar
   return outcome;
 }
 
+Fillet_body body_of(const std::array<const Blend_mesh*, 2>& operands, const Boolean_result& sharp,
+                    Boolean_operation operation) {
+  Fillet_body body;
+  body.mesh = &sharp.mesh;
+  body.cells = sharp.cells;
+  body.base = operands;
+  body.reversed = {false, operation == Boolean_operation::difference};
+  body.own_surface = false;
+  return body;
+}
+
+/// Goes on from the sharp result of a boolean.
+Fillet_outcome blend_boolean(const std::array<const Blend_mesh*, 2>& operands, const Boolean_result& sharp,
+                             Boolean_operation operation, Blend_mesh& out, const Fillet_options& options) {
+  const bool blend = options.law || options.radius > 0;
+  Fillet_outcome outcome;
+  outcome.diagnosis = sharp.diagnosis;
+  if (!outcome.diagnosis.ok()) return outcome;
+  if (sharp.mesh.is_empty()) return refused(Status::empty_result);
+  if (blend && sharp.curves.empty())
+    return refused(sharp.coplanar  ? Status::operands_coplanar
+                   : sharp.contact ? Status::operands_touch
+                                   : Status::operands_disjoint);
+  const Fillet_body body = body_of(operands, sharp, operation);
+  return blend ? blend_body(body, {{sharp.curves}}, out, options) : sharp_boolean(body, sharp, out);
+}
+
+/// Computes the boolean on shared planes and goes on from there; false if there is no such boolean, or its result is
+/// not valid. Checks all of the sharp result, as vertices of faces that are kept may have moved within rounding.
+bool on_shared_planes(const Blend_mesh& a, const Blend_mesh& b, Boolean_operation operation, Blend_mesh& out,
+                      const Fillet_options& options, Fillet_outcome& outcome) {
+  Stopwatch watch;
+  Blend_mesh moved = b;
+  const std::optional<Boolean_result> sharp = compute_boolean_on_shared_planes(a, moved, operation);
+  const double boolean_time = watch.milliseconds();
+  if (!sharp) return false;
+  if (sharp->diagnosis.ok() && !sharp->mesh.is_empty()) {
+    Blend_mesh mesh = Sharp_mesh(body_of({&a, &moved}, *sharp, operation)).mesh;
+    mesh.collect_garbage();
+    if (!validate(mesh).ok()) return false;
+  }
+  outcome = blend_boolean({&a, &moved}, *sharp, operation, out, options);
+  outcome.times.boolean = boolean_time;
+  return true;
+}
+
+/// True if the boolean is to blame, and not the blend.
+bool is_failure_of_boolean(const Fillet_outcome& outcome) {
+  switch (outcome.diagnosis.status) {
+    case Status::operands_touch:
+    case Status::operands_coplanar:
+    case Status::boolean_failed:
+    case Status::result_invalid: return true;
+    default: return false;
+  }
+}
+
 }  // namespace
 
 namespace unchecked {
@@ -112,33 +171,25 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
   if (!outcome.diagnosis.ok()) return outcome;
   const bool blend = options.law || options.radius > 0;
   if (blend && identical(first, second)) return refused(Status::operands_identical);
-  Stopwatch watch;
   Blend_mesh a = first, b = second;
   snap_to_planes(a, b);
   snap_to_planes(b, a);
-  Boolean_result sharp = compute_boolean(a, b, operation);
+  const bool nearly_coplanar = coplanar_but_for_rounding(a, b);
+  if (nearly_coplanar && on_shared_planes(a, b, operation, out, options, outcome)) return outcome;
+  Stopwatch watch;
+  const Boolean_result sharp = compute_boolean(a, b, operation);
   const double boolean_time = watch.milliseconds();
-  if (!sharp.diagnosis.ok()) {
-    outcome.diagnosis = sharp.diagnosis;
-  } else if (sharp.mesh.is_empty()) {
-    outcome = refused(Status::empty_result);
-  } else if (blend && sharp.curves.empty()) {
-    outcome = refused(sharp.coplanar  ? Status::operands_coplanar
-                      : sharp.contact ? Status::operands_touch
-                                      : Status::operands_disjoint);
-  } else {
-    Fillet_body body;
-    body.mesh = &sharp.mesh;
-    body.cells = std::move(sharp.cells);
-    body.base = {&a, &b};
-    body.reversed = {false, operation == Boolean_operation::difference};
-    body.own_surface = false;
-    if (blend)
-      outcome = blend_body(body, {{sharp.curves}}, out, options);
-    else
-      outcome = sharp_boolean(body, sharp, out);
-  }
+  outcome = blend_boolean({&a, &b}, sharp, operation, out, options);
   outcome.times.boolean = boolean_time;
+  if (nearly_coplanar && outcome.ok() && !validate(out).ok()) {  // whole faces may cross each other then
+    outcome = refused(Status::operands_coplanar);
+    out.clear();
+  }
+  if (!nearly_coplanar && is_failure_of_boolean(outcome)) {
+    Fillet_outcome other;
+    if (on_shared_planes(a, b, operation, out, options, other) && other.ok()) return other;
+    out.clear();
+  }
   return outcome;
 }
 
