@@ -10,8 +10,13 @@
 
 #include <cgal_blend/validate.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace cgal_blend {
@@ -85,6 +90,41 @@ Fillet_outcome sharp_boolean(const Fillet_body& body, const Boolean_result& shar
   return outcome;
 }
 
+/// Blends the curves of a boolean. Where the boolean itself is not valid, that is what is wrong, and not the blend.
+Fillet_outcome blend_sharp(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out,
+                           const Fillet_options& options) {
+  Fillet_outcome outcome = blend_body(body, {{sharp.curves, options.radius, {}}}, out, options);
+  if (outcome.diagnosis.status != Status::result_invalid) return outcome;
+  Blend_mesh unblended;
+  const Fillet_outcome without = sharp_boolean(body, sharp, unblended);
+  if (!without.ok()) outcome.diagnosis = without.diagnosis;
+  return outcome;
+}
+
+/// A place where a vertex of one operand lies on one of the other and no curve passes: the result would be pinched
+/// there. The faces around are those of the operands, which no later check looks at again.
+std::optional<Point_3> pinch(const Boolean_result& sharp, const std::array<const Blend_mesh*, 2>& operands) {
+  if (!sharp.contact) return std::nullopt;
+  const auto bounds = [&](int side) { return CGAL::Polygon_mesh_processing::bbox(*operands[side]); };
+  const CGAL::Bbox_3 boxes[] = {bounds(0), bounds(1)};
+  const auto is_near = [&](int side, Vertex v, Vertex placed) {
+    return placed != Blend_mesh::null_vertex() && CGAL::do_overlap(operands[side]->point(v).bbox(), boxes[1 - side]);
+  };
+  std::vector<std::pair<Point_3, Vertex>> first;
+  for (const Vertex v : operands[0]->vertices())
+    if (const Vertex placed = sharp.cells.vertex(0, v); is_near(0, v, placed))
+      first.emplace_back(operands[0]->point(v), placed);
+  std::sort(first.begin(), first.end());
+  for (const Vertex v : operands[1]->vertices()) {
+    const Vertex placed = sharp.cells.vertex(1, v);
+    if (!is_near(1, v, placed)) continue;
+    const Point_3& point = operands[1]->point(v);
+    const auto found = std::lower_bound(first.begin(), first.end(), std::make_pair(point, Vertex(0)));
+    if (found != first.end() && found->first == point && found->second != placed) return point;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 namespace unchecked {
@@ -125,6 +165,9 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
     outcome = refused(sharp.coplanar  ? Status::operands_coplanar
                       : sharp.contact ? Status::operands_touch
                                       : Status::operands_disjoint);
+  } else if (const auto at = pinch(sharp, {&a, &b})) {
+    outcome = refused(Status::operands_touch);
+    outcome.diagnosis.point = at;
   } else {
     Fillet_body body;
     body.mesh = &sharp.mesh;
@@ -133,7 +176,7 @@ Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& se
     body.reversed = {false, operation == Boolean_operation::difference};
     body.own_surface = false;
     if (blend)
-      outcome = blend_body(body, {{sharp.curves, options.radius, {}}}, out, options);
+      outcome = blend_sharp(body, sharp, out, options);
     else
       outcome = sharp_boolean(body, sharp, out);
   }
