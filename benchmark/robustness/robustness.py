@@ -321,12 +321,15 @@ def run_all(options, names, limits):
     runs = []
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as pool:
         futures = [pool.submit(run_one, options.program, *task, options.output, limits) for task in tasks]
-        for future in concurrent.futures.as_completed(futures):
-            runs.append(future.result())
-            if runs[-1]["class"] in DEFECTS:
-                print("%(class)s: --family %(family)s --seed %(seed)d: %(why)s" % runs[-1], flush=True)
-            if sys.stderr.isatty():
-                print("\r%d of %d" % (len(runs), len(tasks)), end="", file=sys.stderr)
+        try:
+            for future in concurrent.futures.as_completed(futures):
+                runs.append(future.result())
+                if runs[-1]["class"] in DEFECTS:
+                    print("%(class)s: --family %(family)s --seed %(seed)d: %(why)s" % runs[-1], flush=True)
+                if sys.stderr.isatty():
+                    print("\r%d of %d" % (len(runs), len(tasks)), end="", file=sys.stderr)
+        except KeyboardInterrupt:  # what has been found is worth a table
+            pool.shutdown(wait=True, cancel_futures=True)
     runs.sort(key=lambda run: (names.index(run["family"]), run["seed"]))
     by_family = {name: totals([run for run in runs if run["family"] == name]) for name in names}
     everything = totals(runs)
