@@ -6,6 +6,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -36,13 +37,23 @@ bool faces_stay(Halfedge h, const Blend_mesh& mesh) {
   return true;
 }
 
+/// True if the edge is shorter than the root of the limit.
+bool shorter(Edge e, const Blend_mesh& mesh, double limit) {
+  return CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) < limit;
+}
+
 }  // namespace
 
-std::vector<std::pair<Vertex, Vertex>> collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& keep) {
+bool has_short_edges(const Blend_mesh& mesh) {
   const double limit = squared_limit(mesh);
-  const auto is_short = [&](Edge e) {
-    return CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) < limit;
-  };
+  const auto edges = mesh.edges();
+  return std::any_of(edges.begin(), edges.end(), [&](Edge e) { return shorter(e, mesh, limit); });
+}
+
+std::vector<std::pair<Vertex, Vertex>> collapse_short_edges(Blend_mesh& mesh, const std::function<bool(Vertex)>& keep,
+                                                            const std::function<bool(Edge)>& may_go) {
+  const double limit = squared_limit(mesh);
+  const auto is_short = [&](Edge e) { return shorter(e, mesh, limit) && may_go(e); };
   mesh.set_recycle_garbage(false);
   std::vector<std::pair<Vertex, Vertex>> merged;
   // Slivers between two short edges may stand in the way of one of them until the other is gone.

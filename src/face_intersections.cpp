@@ -41,12 +41,47 @@ int align_shared(Corners& a, Corners& b) {
   return shared;
 }
 
+/// On which side of the line pq r lies, seen along a coordinate axis: 1, -1, or 0 where rounding leaves it open (the
+/// bound is that of Shewchuk, Adaptive precision floating-point arithmetic, 1997).
+int side_of_line(const Point_3& p, const Point_3& q, const Point_3& r, int axis) {
+  const int x = axis == 0 ? 1 : 0, y = axis == 2 ? 1 : 2;
+  const double left = (q[x] - p[x]) * (r[y] - p[y]), right = (q[y] - p[y]) * (r[x] - p[x]), det = left - right;
+  const double error = 3.4e-16 * (std::abs(left) + std::abs(right)) + 1e-290;  // the latter for products that underflow
+  return det > error ? 1 : det < -error ? -1 : 0;
+}
+
+/// True if, seen along the axis, some side of the first face has the first face on one side of its line and the second
+/// on the other. They touch the line in common corners only, which come first.
+bool side_separates(const std::array<const Point_3*, 3>& a, const std::array<const Point_3*, 3>& b, int shared,
+                    int axis) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, opposite = (i + 2) % 3;
+    if (opposite < shared) continue;  // a common corner would have to be on both sides
+    const int inner = side_of_line(*a[i], *a[j], *a[opposite], axis);
+    if (inner == 0) continue;
+    bool beyond = true;
+    for (int k = shared; k < 3 && beyond; ++k) beyond = side_of_line(*a[i], *a[j], *b[k], axis) == -inner;
+    if (beyond) return true;
+  }
+  return false;
+}
+
+/// True only if two faces, with their common corners first, meet in nothing else: decided in doubles. Spares the faces of
+/// one plane, of which a blend along a large one leaves thousands with overlapping boxes, the exact arithmetic.
+bool clearly_apart(const std::array<const Point_3*, 3>& a, const std::array<const Point_3*, 3>& b, int shared) {
+  const Vector_3 normal = CGAL::cross_product(*a[1] - *a[0], *a[2] - *a[0]);
+  int axis = std::abs(normal.x()) > std::abs(normal.y()) ? 0 : 1;
+  if (std::abs(normal.z()) > std::abs(normal[axis])) axis = 2;
+  return side_separates(a, b, shared, axis) || side_separates(b, a, shared, axis);
+}
+
 /// True if two faces meet in more than the vertices that they share. Orientation plays no part.
 bool faces_intersect(const Blend_mesh& mesh, Face f, Face g) {
   Corners a = corners(mesh, f), b = corners(mesh, g);
   const int shared = align_shared(a, b);
   const auto p = [&](Vertex v) -> const Point_3& { return mesh.point(v); };
   if (shared == 3) return true;
+  if (clearly_apart({&p(a[0]), &p(a[1]), &p(a[2])}, {&p(b[0]), &p(b[1]), &p(b[2])}, shared)) return false;
   if (shared == 2)  // they overlap if folded flat onto each other
     return CGAL::coplanar(p(a[0]), p(a[1]), p(a[2]), p(b[2])) &&
            CGAL::coplanar_orientation(p(a[0]), p(a[1]), p(a[2]), p(b[2])) == CGAL::POSITIVE;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cgal_blend/fillet.h>
 
+#include "ancestry.h"
 #include "boolean.h"
+#include "edge_finder.h"
 #include "fillet_coarse.h"
 #include "fillet_in_passes.h"
 #include "near_faces.h"
@@ -11,9 +13,13 @@
 
 #include <cgal_blend/validate.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace cgal_blend {
@@ -99,6 +105,66 @@ Fillet_body body_of(const std::array<const Blend_mesh*, 2>& operands, const Bool
   return body;
 }
 
+/// Blends the curves of a boolean as edges of the mesh that results, whatever surfaces it was made of: their corners are
+/// known to the mesh alone.
+Fillet_outcome blend_result(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out,
+                            const Fillet_options& options) {
+  Blend_mesh plain;
+  Fillet_outcome whole = sharp_boolean(body, sharp, plain);
+  if (!whole.ok()) return whole;
+  std::vector<Edge_finder::Step> steps;
+  for (const Edge e : sharp.curves)
+    steps.emplace_back(sharp.mesh.point(sharp.mesh.vertex(e, 0)), sharp.mesh.point(sharp.mesh.vertex(e, 1)));
+  Ancestry ancestry(whole);
+  Fillet_body own;
+  own.mesh = own.base[0] = own.base[1] = &plain;
+  whole = fillet_in_passes(own, {{Edge_finder(plain)(steps)}}, out, options);
+  if (!whole.ok()) return whole;
+  ancestry.advance(whole, 0);
+  ancestry.put_kept_first(out);
+  ancestry.describe_faces(whole);
+  return whole;
+}
+
+/// Blends the curves of a boolean. Where the boolean itself is not valid, that is what is wrong, and not the blend.
+Fillet_outcome blend_sharp(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out,
+                           const Fillet_options& options) {
+  Fillet_outcome outcome = blend_body(body, {{sharp.curves}}, out, options);
+  if (outcome.diagnosis.status == Status::corner && options.mode == Blend_mode::stitch) {
+    Fillet_outcome other = blend_result(body, sharp, out, options);
+    if (other.ok()) return other;
+  }
+  if (outcome.diagnosis.status != Status::result_invalid) return outcome;
+  Blend_mesh unblended;
+  const Fillet_outcome without = sharp_boolean(body, sharp, unblended);
+  if (!without.ok()) outcome.diagnosis = without.diagnosis;
+  return outcome;
+}
+
+/// A place where a vertex of one operand lies on one of the other and no curve passes: the result would be pinched
+/// there. The faces around are those of the operands, which no later check looks at again.
+std::optional<Point_3> pinch(const Boolean_result& sharp, const std::array<const Blend_mesh*, 2>& operands) {
+  if (!sharp.contact) return std::nullopt;
+  const auto bounds = [&](int side) { return CGAL::Polygon_mesh_processing::bbox(*operands[side]); };
+  const CGAL::Bbox_3 boxes[] = {bounds(0), bounds(1)};
+  const auto is_near = [&](int side, Vertex v, Vertex placed) {
+    return placed != Blend_mesh::null_vertex() && CGAL::do_overlap(operands[side]->point(v).bbox(), boxes[1 - side]);
+  };
+  std::vector<std::pair<Point_3, Vertex>> first;
+  for (const Vertex v : operands[0]->vertices())
+    if (const Vertex placed = sharp.cells.vertex(0, v); is_near(0, v, placed))
+      first.emplace_back(operands[0]->point(v), placed);
+  std::sort(first.begin(), first.end());
+  for (const Vertex v : operands[1]->vertices()) {
+    const Vertex placed = sharp.cells.vertex(1, v);
+    if (!is_near(1, v, placed)) continue;
+    const Point_3& point = operands[1]->point(v);
+    const auto found = std::lower_bound(first.begin(), first.end(), std::make_pair(point, Vertex(0)));
+    if (found != first.end() && found->first == point && found->second != placed) return point;
+  }
+  return std::nullopt;
+}
+
 /// Goes on from the sharp result of a boolean.
 Fillet_outcome blend_boolean(const std::array<const Blend_mesh*, 2>& operands, const Boolean_result& sharp,
                              Boolean_operation operation, Blend_mesh& out, const Fillet_options& options) {
@@ -111,8 +177,13 @@ Fillet_outcome blend_boolean(const std::array<const Blend_mesh*, 2>& operands, c
     return refused(sharp.coplanar  ? Status::operands_coplanar
                    : sharp.contact ? Status::operands_touch
                                    : Status::operands_disjoint);
+  if (const auto at = pinch(sharp, operands)) {
+    outcome = refused(Status::operands_touch);
+    outcome.diagnosis.point = at;
+    return outcome;
+  }
   const Fillet_body body = body_of(operands, sharp, operation);
-  return blend ? blend_body(body, {{sharp.curves}}, out, options) : sharp_boolean(body, sharp, out);
+  return blend ? blend_sharp(body, sharp, out, options) : sharp_boolean(body, sharp, out);
 }
 
 /// Computes the boolean on shared planes and goes on from there; false if there is no such boolean, or its result is

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fillet_body.h"
 
+#include "collapse_short_edges.h"
 #include "stitching.h"
 #include "stopwatch.h"
 
 #include <cgal_blend/validate.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace cgal_blend {
@@ -64,12 +66,30 @@ std::vector<std::uint32_t> origins(const Fillet_body& body, const std::vector<Fa
   return result;
 }
 
+/// Rids the result of a boolean of its edges of almost no length where blending left its faces alone. New faces stay:
+/// their maker counts them.
+Blend_mesh without_short_edges(const Fillet_body& body, const Blend_mesh& mesh) {
+  Blend_mesh result = mesh;
+  const std::size_t old_faces = body.mesh->number_of_faces();
+  collapse_short_edges(
+      result, [&](Vertex v) { return body.cells.is_original(v); },
+      [&](Edge e) {
+        const Halfedge h = result.halfedge(e);
+        return result.face(h).idx() < old_faces && result.face(result.opposite(h)).idx() < old_faces;
+      });
+  return result;
+}
+
 }  // namespace
 
-Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& mesh, const Body_changes& changes,
+Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& blended, const Body_changes& changes,
                            Blend_mesh& out) {
   Fillet_outcome outcome;
   Stopwatch copying;
+  std::optional<Blend_mesh> mended;
+  if (!body.own_surface && changes.moved.empty() && has_short_edges(blended))
+    mended = without_short_edges(body, blended);
+  const Blend_mesh& mesh = mended ? *mended : blended;
   const Order order = output_order(body, mesh);
   Reordered result = reorder(mesh, order.vertices, order.faces);
   outcome.origins = origins(body, order.faces, changes.remnant_cells);

@@ -2,40 +2,13 @@
 #include "fillet_in_passes.h"
 
 #include "ancestry.h"
+#include "edge_finder.h"
 #include "fillet_engine.h"
 #include "stopwatch.h"
 
-#include <map>
 #include <utility>
 
 namespace cgal_blend {
-
-namespace {
-
-/// Finds edges of a mesh by the places of their ends.
-class Edge_finder {
- public:
-  explicit Edge_finder(const Blend_mesh& mesh) : mesh_(mesh) {
-    for (const Vertex v : mesh.vertices()) vertex_.emplace(mesh.point(v), v);
-  }
-
-  [[nodiscard]] std::vector<Edge> operator()(const std::vector<Later_blend::Step>& steps) const {
-    std::vector<Edge> edges;
-    for (const auto& [a, b] : steps) {
-      const auto from = vertex_.find(a), to = vertex_.find(b);
-      if (from == vertex_.end() || to == vertex_.end()) continue;
-      const Halfedge h = mesh_.halfedge(from->second, to->second);
-      if (h != Blend_mesh::null_halfedge()) edges.push_back(mesh_.edge(h));
-    }
-    return edges;
-  }
-
- private:
-  const Blend_mesh& mesh_;
-  std::map<Point_3, Vertex> vertex_;
-};
-
-}  // namespace
 
 Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                                 const Fillet_options& options) {

@@ -253,6 +253,7 @@ INSTANTIATE_TEST_SUITE_P(Blend, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"DisjointThirdBody", "union plate.off boss.off far.off -o OUT --radius 1 --transform-c '1 0 0 100 0 1 0 0 0 0 1 0'", 4, "part 2",
    "operands_disjoint"},
   {"TouchInAPoint", "union box.off corner.off -o OUT --radius 0.1", 4, "touch", "operands_touch"},
+  {"TouchInAVertexSharp", "union box.off corner.off -o OUT", 4, "touch", "operands_touch"},
   {"TouchWithAnApex", "union spike.off above_spike.off -o OUT --radius 0.1", 4, "touch", "operands_touch"},
   {"CoplanarFaces", "union box.off flush.off -o OUT --radius 0.1", 4, "", "*"},  // by way of where the curve ends
   {"Identical", "union box.off box.off -o OUT --radius 0.1", 4, "same", "operands_identical"}}), name_of);

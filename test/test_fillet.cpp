@@ -537,5 +537,25 @@ TEST(Fillet, SharpUnionOfAlignedGridAndCylinder) {
   EXPECT_NEAR(volume_of(out), 8 + 2 * 32 * 0.25 * std::sin(2 * pi / 64), 1e-12);
 }
 
+TEST(Fillet, TouchInAVertexBesidesACurve) {
+  const Blend_mesh apart = side_by_side(box({0, 0, 0}, {1, 1, 1}), box({2, 2, 2}, {4, 4, 4}));
+  Blend_mesh out;
+  const Fillet_outcome outcome =
+      corefine_and_fillet(apart, box({1, 1, 1}, {3, 3, 3}), Boolean_operation::union_, out, options_of(0));
+  EXPECT_EQ(outcome.diagnosis.status, Status::operands_touch);
+  ASSERT_TRUE(outcome.diagnosis.point);
+  EXPECT_EQ(*outcome.diagnosis.point, Point_3(1, 1, 1));
+}
+
+TEST(Fillet, ShortEdgesOfTheBooleanAwayFromTheBlend) {
+  // The boss ends flush with the plate below, where one of its vertices misses the plate's diagonal by a rounding error.
+  const Blend_mesh flat = box({-1, -1, -0.25}, {1, 1, 0});
+  const Blend_mesh boss = transformed(cylinder(0.25, 64, -0.25, 1), moved_by(0, -0.25, 0));
+  const Blended b = blend(flat, boss, Boolean_operation::union_, options_of(0.05));
+  ASSERT_TRUE(b.outcome.ok()) << message(b.outcome.diagnosis);
+  EXPECT_TRUE(validate(b.mesh).ok());
+  EXPECT_NEAR(b.change, foot_volume(0.25, 0.05), 0.02 * foot_volume(0.25, 0.05));
+}
+
 }  // namespace
 }  // namespace cgal_blend::test
