@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,6 +84,57 @@ TEST(Fillet_radius, BeginsAtEitherEndOfAnOpenCurve) {
     EXPECT_NEAR(laws(mesh, {edges, 0, {}, growing}).laws[0](s), 1 + 2 * s, 1e-14);
     EXPECT_NEAR(laws(mesh, {edges, 0, {}, growing, first}).laws[0](s), 1 + 2 * s, 1e-14);
     EXPECT_NEAR(laws(mesh, {edges, 0, {}, growing, last}).laws[0](s), 3 - 2 * s, 1e-14);
+  }
+}
+
+/// A network with nodes where the curves have none.
+TEST(Fillet_radius, GoesOnOverCorners) {
+  const Blend_mesh mesh = box({0, 0, 0}, {3, 2, 1});
+  std::vector<Edge> edges = creases_at_height(mesh, 1);
+  const auto corners = make_curve_network(mesh, edges, [](Halfedge, Halfedge) { return false; });
+  ASSERT_EQ(corners.branches.size(), 4u);
+  const auto corner = [&](double x, double y) {
+    for (const Vertex v : mesh.vertices())
+      if (mesh.point(v) == Point_3(x, y, 1)) return v;
+    return Vertex();
+  };
+  const std::vector<Vertex> along{corner(0, 0), corner(3, 0), corner(3, 2), corner(0, 2)};
+  // Both ways round: the radius at the corners is that of their distance from the start, 1 + distance / 10.
+  const Radius_law tent = Piecewise_radius({{0, 1}, {0.5, 1.5}, {1, 1}}, Piecewise_radius::Interpolation::linear);
+  for (std::size_t start = 0; start < 4; ++start) {
+    const Branch_laws result = laws_along(mesh, corners, {edges, 0, {}, tent, along[start]}, {});
+    ASSERT_TRUE(result.diagnosis.ok());
+    ASSERT_EQ(result.laws.size(), 4u);
+    const auto radius_at = [&](Vertex v) {
+      const double dx = std::abs(mesh.point(v).x() - mesh.point(along[start]).x());
+      const double dy = std::abs(mesh.point(v).y() - mesh.point(along[start]).y());
+      return 1 + (dx + dy) / 10;
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::vector<Halfedge>& halfedges = corners.branches[k].halfedges;
+      EXPECT_NEAR(result.laws[k](0), radius_at(mesh.source(halfedges.front())), 1e-12);
+      EXPECT_NEAR(result.laws[k](1), radius_at(mesh.target(halfedges.back())), 1e-12);
+    }
+  }
+  // An open curve over two corners.
+  edges.pop_back();
+  const auto cut = make_curve_network(mesh, edges, [](Halfedge, Halfedge) { return false; });
+  const Branch<Blend_mesh> whole = make_curve_network(mesh, edges).branches.front();
+  for (const bool backward : {false, true}) {
+    const Vertex first = mesh.source(whole.halfedges.front()), last = mesh.target(whole.halfedges.back());
+    const Branch_laws result = laws_along(mesh, cut, {edges, 0, {}, growing, backward ? last : first}, {});
+    ASSERT_EQ(result.laws.size(), 3u);
+    std::map<Vertex, std::vector<double>> radii;
+    for (std::size_t k = 0; k < 3; ++k) {
+      radii[mesh.source(cut.branches[k].halfedges.front())].push_back(result.laws[k](0));
+      radii[mesh.target(cut.branches[k].halfedges.back())].push_back(result.laws[k](1));
+    }
+    EXPECT_NEAR(radii[backward ? last : first].front(), 1, 1e-12);
+    EXPECT_NEAR(radii[backward ? first : last].front(), 3, 1e-12);
+    for (const auto& [v, here] : radii) {
+      EXPECT_EQ(here.size(), v == first || v == last ? 1u : 2u);
+      EXPECT_NEAR(here.front(), here.back(), 1e-12);
+    }
   }
 }
 

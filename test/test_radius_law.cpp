@@ -212,6 +212,26 @@ TEST(Radius_law, IsScaledReversedAndShifted) {
   }
 }
 
+TEST(Radius_law, IsRestrictedToAPartOfTheCurve) {
+  const Radius_law law = Radius_law(Linear_radius{1, 3}).scaled(10).restricted(0.25, 0.75);
+  EXPECT_EQ(law.smallest(), 15);
+  EXPECT_EQ(law.largest(), 25);
+  EXPECT_FALSE(law.is_periodic());
+  for (const double s : fractions()) {
+    EXPECT_NEAR(law(s), 15 + 10 * s, 1e-13);
+    EXPECT_NEAR(law.reversed()(s), 25 - 10 * s, 1e-13);
+    EXPECT_NEAR(law.restricted(0.5, 0)(s), 20 - 5 * s, 1e-13);
+  }
+  EXPECT_EQ(law(1.5), 25) << "held on to its own ends";
+  const Radius_law round = Radius_law(Piecewise_radius({{0, 1}, {0.25, 1.5}, {0.5, 3}})).with_period();
+  for (const double s : fractions()) {
+    EXPECT_NEAR(round.restricted(0.75, 1.25)(s), round(0.75 + s / 2), 1e-12);
+    EXPECT_NEAR(round.restricted(0.25, -0.25)(s), round(0.25 - s / 2), 1e-12);
+    EXPECT_NEAR(round.shifted(0.1).reversed().restricted(0.5, 1)(s), round(0.6 - s / 2), 1e-12);
+  }
+  EXPECT_TRUE(Radius_law(Piecewise_radius({{0, 2}, {0.5, 2}, {1, 3}})).restricted(0, 0.5).is_constant());
+}
+
 TEST(Radius_law, TakesAnyFunction) {
   const Radius_law law = [](double s) { return 2 + std::cos(4 * pi * s); };
   EXPECT_TRUE(law.check().ok());

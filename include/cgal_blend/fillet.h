@@ -98,8 +98,8 @@ struct Edge_blend_of {
   std::optional<Profile> profile{};                                         ///< none: the profile of the options
   std::optional<Radius_law> law{};  ///< instead of `radius`; none: that, or the radius or law of the options
   /// Where the law's s = 0 lies: an end of an open curve, from which s runs to the other one, or any vertex of a closed
-  /// curve, from which s runs as the branch of `make_curve_network` does. None, and for curves that it is not on: the
-  /// first vertex of the branch.
+  /// curve, from which s runs as the curve does. None, and for curves that it is not on: their first vertex. Curves are
+  /// the branches of `make_curve_network`, corners in which two edges meet included.
   std::optional<typename boost::graph_traits<Graph>::vertex_descriptor> start{};
 };
 using Edge_blend = Edge_blend_of<Blend_mesh>;

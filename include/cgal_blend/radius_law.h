@@ -176,12 +176,8 @@ class Radius_law {
 
   /// Returns the radius at s in [0, 1], length units; s beyond is taken to the nearer end, on a closed curve once round.
   [[nodiscard]] double operator()(double s) const {
-    if (is_reversed_) s = -s;
-    if (is_closed_) {
-      s += shift_;
-      return factor_ * on_closed_(s - std::floor(s));
-    }
-    return factor_ * on_open_(std::clamp(is_reversed_ ? 1 + s : s, 0.0, 1.0));
+    const double at = begin_ + span_ * (turns_ ? s : std::clamp(s, 0.0, 1.0));
+    return factor_ * (is_closed_ ? on_closed_(at - std::floor(at)) : on_open_(std::clamp(at, 0.0, 1.0)));
   }
 
   /// Returns `ok`, or `invalid_parameter` with what is wrong; the engines refuse such laws.
@@ -202,7 +198,7 @@ class Radius_law {
   [[nodiscard]] Radius_law with_period() const {
     CGAL_precondition(is_periodic_);
     Radius_law result = *this;
-    result.is_closed_ = true;
+    result.is_closed_ = result.turns_ = true;
     return result;
   }
 
@@ -217,15 +213,28 @@ class Radius_law {
   /// Returns the law of the same curve run through the other way: at s what was at 1 - s.
   [[nodiscard]] Radius_law reversed() const {
     Radius_law result = *this;
-    result.is_reversed_ = !is_reversed_;
+    result.begin_ += span_;
+    result.span_ = -span_;
     return result;
   }
 
-  /// Returns the law of the same closed curve begun elsewhere: at s what was at s + `by`.
+  /// Returns the law of the same closed curve begun elsewhere: at s what was at s + `by`. The law must have its period.
   [[nodiscard]] Radius_law shifted(double by) const {
-    CGAL_precondition(is_closed_);
+    CGAL_precondition(turns_);
     Radius_law result = *this;
-    result.shift_ += is_reversed_ ? -by : by;
+    result.begin_ += by * span_;
+    return result;
+  }
+
+  /// Returns the law of a part of the curve: at s what was at `from` + s (`to` - `from`), from 0 to 1 and, with a period,
+  /// anywhere. It is not periodic, and its bounds are of samples.
+  [[nodiscard]] Radius_law restricted(double from, double to) const {
+    Radius_law result = *this;
+    result.begin_ += from * span_;
+    result.span_ *= to - from;
+    result.is_periodic_ = result.turns_ = false;
+    result.bounds_ = sampled_bounds(result);
+    for (double& bound : result.bounds_) bound /= factor_;
     return result;
   }
 
@@ -241,6 +250,10 @@ class Radius_law {
   }
   template <class Model>
   static std::array<double, 2> bounds_of(const Model& model, long) {
+    return sampled_bounds(model);
+  }
+  template <class Model>
+  static std::array<double, 2> sampled_bounds(const Model& model) {
     std::array<double, 2> range{model(0.0), model(0.0)};
     for (int k = 1; k <= samples; ++k) {
       const double radius = model(static_cast<double>(k) / samples);
@@ -269,8 +282,10 @@ class Radius_law {
   Function on_open_, on_closed_;
   std::array<double, 2> bounds_;  // before scaling
   Diagnosis diagnosis_;
-  bool is_periodic_ = true, is_closed_ = false, is_reversed_ = false;
-  double factor_ = 1, shift_ = 0;
+  bool is_periodic_ = true;
+  bool is_closed_ = false;                    // the curve that the model is of
+  bool turns_ = false;                        // and all of it is meant
+  double begin_ = 0, span_ = 1, factor_ = 1;  // the law is factor (model at begin + s span)
 };
 
 }  // namespace cgal_blend

@@ -61,10 +61,14 @@ bool runs_against_branch(const Blend_mesh& mesh, const std::vector<Edge>& edges,
 /// The blend along a polyline, at whose first vertex its radius begins.
 Edge_blend blend_along(const Blend_mesh& mesh, const std::vector<Vertex>& polyline, const Blend_request& request,
                        const std::string& where) {
-  Edge_blend blend{edges_along(mesh, polyline, where), 0, request.profile, request.radius};
-  if (!request.radius || request.radius->is_constant()) return blend;
+  Edge_blend blend{edges_along(mesh, polyline, where), 0, request.profile};
+  if (!request.radius) return blend;
+  if (request.radius->is_constant()) {
+    blend.radius = request.radius->largest();  // blends with the same number are joined where they meet
+    return blend;
+  }
   blend.start = polyline.front();
-  if (runs_against_branch(mesh, blend.edges, polyline)) blend.law = request.radius->reversed();
+  blend.law = runs_against_branch(mesh, blend.edges, polyline) ? request.radius->reversed() : *request.radius;
   return blend;
 }
 
