@@ -5,6 +5,7 @@
 #include <cgal_blend/blend_mesh.h>
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,16 +23,25 @@ class Edge_finder {
   /// Returns the edges that there are; steps that are no edge are left out.
   [[nodiscard]] std::vector<Edge> operator()(const std::vector<Step>& steps) const {
     std::vector<Edge> edges;
-    for (const auto& [a, b] : steps) {
-      const auto from = vertex_.find(a), to = vertex_.find(b);
-      if (from == vertex_.end() || to == vertex_.end()) continue;
-      const Halfedge h = mesh_.halfedge(from->second, to->second);
-      if (h != Blend_mesh::null_halfedge()) edges.push_back(mesh_.edge(h));
-    }
+    for (const Step& step : steps)
+      if (const Halfedge h = find(step); h != Blend_mesh::null_halfedge()) edges.push_back(mesh_.edge(h));
     return edges;
   }
 
+  /// Returns where the first of them begins that is an edge.
+  [[nodiscard]] std::optional<Vertex> first(const std::vector<Step>& steps) const {
+    for (const Step& step : steps)
+      if (const Halfedge h = find(step); h != Blend_mesh::null_halfedge()) return mesh_.source(h);
+    return std::nullopt;
+  }
+
  private:
+  [[nodiscard]] Halfedge find(const Step& step) const {
+    const auto from = vertex_.find(step.first), to = vertex_.find(step.second);
+    if (from == vertex_.end() || to == vertex_.end()) return Blend_mesh::null_halfedge();
+    return mesh_.halfedge(from->second, to->second);
+  }
+
   const Blend_mesh& mesh_;
   std::map<Point_3, Vertex> vertex_;
 };

@@ -48,10 +48,8 @@ constexpr std::array<Smoothing, 6> smoothings{
 // Angles at open branches, degrees, as far as the options allow: where they end counts, so the strict view comes first.
 constexpr std::array<double, 2> open_angles{25, 180};
 
-// Views that are tried in the search for the largest radius, and its steps: downward, then between the last two.
+// Views that are tried in the search for the largest radius.
 constexpr std::size_t quick_levels = 4;
-constexpr std::array<double, 8> radius_shares{0.98, 0.9, 0.75, 0.5, 0.25, 0.125, 0.0625, 0.03125};
-constexpr int radius_bisections = 4;
 
 // A blend whose vertices are farther off the ball than this, in radii, is none. Rims on facets that are rough at the
 // scale of the ball come near it; on smooth surfaces the error is below 1 %.
@@ -71,6 +69,9 @@ constexpr double sliver_of_facet = 0.15;  // height of triangles that do not cou
 // Positions that the rims cannot be led through may be left out, up to this share.
 constexpr double spare_positions = 0.2;
 
+// Radii of branches in a corner that are as near as this are the same.
+constexpr double same_radius = 1e-9;
+
 // The view in which corners are looked for.
 constexpr std::size_t corner_level = 1;
 
@@ -86,11 +87,6 @@ bool status_is_of_mapping(Status status) {
          status == Status::region_too_coarse;
 }
 
-bool may_fit_smaller(Status status) {
-  return status == Status::radius_exceeds_face || status == Status::radius_exceeds_curvature ||
-         status == Status::no_rolling_ball || status == Status::blend_collides;
-}
-
 /// One branch on its way to becoming a blend.
 struct Job {
   std::vector<Halfedge> halfedges;
@@ -101,8 +97,7 @@ struct Job {
   std::size_t attempt = 0;  // at mapping
   bool rolled = false;
   std::optional<Diagnosis> first_failure;
-  std::optional<Radius_law> law, own_law;  // along the branch, and as it was given, from this start on
-  std::optional<Vertex> start;
+  std::optional<Radius_law> law;  // along the branch
   Profile profile;
   std::optional<Profile> own_profile;  // if it is not that of the options
   std::vector<Ball_position> positions;
@@ -124,11 +119,12 @@ struct Assembly {
 
 class Engine {
  public:
-  /// \param thorough try every view of the surfaces, and find the largest radius that works where one is refused
+  /// \param thorough try every view of the surfaces
   Engine(const Fillet_body& body, const Fillet_options& options, bool thorough = true,
          const Earlier_blends& earlier = {})
       : earlier_(earlier), creases_(earlier.creases.begin(), earlier.creases.end()),
-        blend_faces_(earlier.faces.begin(), earlier.faces.end()), body_(body), options_(options), thorough_(thorough), levels_(thorough ? smoothings.size() : quick_levels) {}
+        blend_faces_(earlier.faces.begin(), earlier.faces.end()), body_(body), options_(options),
+        levels_(thorough ? smoothings.size() : quick_levels) {}
 
   Fillet_pass run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
     Stopwatch watch;
@@ -148,10 +144,12 @@ class Engine {
       }
       outcome.diagnosis = escalate(assembly.blame, assembly.diagnosis);
     }
-    if (thorough_ && outcome.diagnosis.status != Status::cancelled) find_largest_radii(outcome);
     if (!outcome.ok()) out.clear();
-    for (const Job& job : jobs_)
-      if (!job.waits || !outcome.ok()) outcome.blends.push_back(job.report);
+    for (const Job& job : jobs_) {
+      if (job.waits && job.report.diagnosis.ok() && outcome.ok()) continue;
+      if (!job.report.diagnosis.ok()) pass.refused.push_back({outcome.blends.size(), blend_of(job)});
+      outcome.blends.push_back(job.report);
+    }
     outcome.times = aside_;
     outcome.times.blend = watch.milliseconds() - aside_.copy - aside_.validate;
     return pass;
@@ -172,13 +170,11 @@ class Engine {
         const Branch<Blend_mesh>& branch = network.branches[k];
         Job job;
         job.law = radii.laws[k];
-        job.own_law = law;
-        job.start = blend.start;
         job.halfedges = branch.halfedges;
         job.own_profile = blend.profile;
         job.profile = blend.profile.value_or(options_.profile);
         job.report.edges = branch.halfedges.size();
-        job.report.radius = law.largest();
+        job.report.radius = job.law->largest();
         job.report.closed = job.curve.closed = branch.closed();
         if (!branch.closed())
           job.ends = {network.nodes[branch.first_node].vertex, network.nodes[branch.last_node].vertex};
@@ -488,7 +484,7 @@ class Engine {
     const double radius = (*first.law)(node.front().second);
     for (const auto& [i, end] : node)
       if (!jobs_[i].report.diagnosis.ok() || jobs_[i].curve.convex != first.curve.convex ||
-          (*jobs_[i].law)(end) != radius)
+          std::abs((*jobs_[i].law)(end) - radius) > same_radius * radius)
         return nullptr;
     const auto into = [&](std::pair<std::size_t, int> branch) {
       const Job& job = jobs_[branch.first];
@@ -581,31 +577,14 @@ class Engine {
       job.report.diagnosis = refusal(Status::corner, *corner);
   }
 
-  /// Fills in the largest radius that works for curves where a smaller ball may do: tried on each alone, to the end.
-  /// Ends early if the caller cancels.
-  void find_largest_radii(Fillet_outcome& outcome) {
-    for (Job& job : jobs_) {
-      if (job.profile.is_sharp() || !may_fit_smaller(job.report.diagnosis.status)) continue;
-      const bool is_the_refusal = !outcome.diagnosis.ok() && outcome.diagnosis.point == job.report.diagnosis.point &&
-                                  outcome.diagnosis.status == job.report.diagnosis.status;
-      double works = 0, fails = job.report.radius;
-      for (const double share : radius_shares) {
-        if (is_cancelled()) return;
-        const double radius = share * job.report.radius;
-        if (fits(job, radius)) {
-          works = radius;
-          break;
-        }
-        fails = radius;
-      }
-      if (works == 0) continue;
-      for (int i = 0; i < radius_bisections && !is_cancelled(); ++i) {
-        const double middle = (works + fails) / 2;
-        (fits(job, middle) ? works : fails) = middle;
-      }
-      job.report.diagnosis.max_radius = works;
-      if (is_the_refusal) outcome.diagnosis.max_radius = works;
+  [[nodiscard]] Edge_blend blend_of(const Job& job) const {
+    Edge_blend blend{{}, job.report.radius, job.own_profile};
+    for (const Halfedge h : job.halfedges) blend.edges.push_back(body_.mesh->edge(h));
+    if (job.law && !job.law->is_constant()) {
+      blend.law = job.law;
+      blend.start = body_.mesh->source(job.halfedges.front());
     }
+    return blend;
   }
 
   // Assembly of what waits.
@@ -676,20 +655,6 @@ class Engine {
           }
         }
       }
-  }
-
-  [[nodiscard]] bool fits(const Job& job, double radius) const {
-    Edge_blend blend{{}, radius, job.profile};
-    if (!job.law->is_constant()) {
-      blend.law = job.own_law->scaled(radius / job.report.radius);
-      blend.start = job.start;
-    }
-    for (const Halfedge h : job.halfedges) blend.edges.push_back(body_.mesh->edge(h));
-    Fillet_options alone = options_;
-    alone.keep_going = false;
-    alone.progress = nullptr;
-    Blend_mesh ignored;
-    return Engine(body_, alone, false, earlier_).run({blend}, ignored).outcome.ok();
   }
 
   /// `ok` as long as something can be written: all blends, or some of them if that is wanted.
@@ -953,7 +918,6 @@ class Engine {
   std::unordered_set<Face> blend_faces_;
   const Fillet_body& body_;
   const Fillet_options& options_;
-  bool thorough_;
   std::size_t levels_;
   double progress_ = 0;
   std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
@@ -966,8 +930,8 @@ class Engine {
 }  // namespace
 
 Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& blends,
-                        const Earlier_blends& earlier, Blend_mesh& out, const Fillet_options& options) {
-  return Engine(body, options, true, earlier).run(blends, out);
+                        const Earlier_blends& earlier, Blend_mesh& out, const Fillet_options& options, bool thorough) {
+  return Engine(body, options, thorough, earlier).run(blends, out);
 }
 
 }  // namespace cgal_blend

@@ -25,6 +25,7 @@ struct Fillet_pass {
   Fillet_outcome outcome;
   std::vector<Later_blend> later;
   std::vector<Later_blend::Step> creases;  ///< edges that count as sharp for them, whatever their angle
+  std::vector<std::pair<std::size_t, Edge_blend>> refused;  ///< by the place of their report
 };
 
 /// What earlier passes have left on the mesh of a body.
@@ -35,9 +36,10 @@ struct Earlier_blends {
 
 /// Blends those edges of a body that need not wait; see `fillet_edges`. The faces of the bases that are kept come first
 /// in `out`, in their order.
+/// \param thorough try every view of rough surfaces, or only the first few
 [[nodiscard]] Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& blends,
                                       const Earlier_blends& earlier, Blend_mesh& out,
-                                      const Fillet_options& options);
+                                      const Fillet_options& options, bool thorough);
 
 }  // namespace cgal_blend
 

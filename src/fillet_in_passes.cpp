@@ -4,17 +4,38 @@
 #include "ancestry.h"
 #include "edge_finder.h"
 #include "fillet_engine.h"
+#include "fillet_radius.h"
 #include "stopwatch.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace cgal_blend {
 
-Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
-                                const Fillet_options& options) {
-  Fillet_pass pass = fillet_pass(body, blends, {}, out, options);
-  if (!pass.outcome.ok() || pass.later.empty()) return std::move(pass.outcome);
-  Fillet_outcome whole = std::move(pass.outcome);
+namespace {
+
+// The search for the largest radius: downward, then by halving until two radii are so near.
+constexpr std::array<double, 9> first_shares{0.98, 0.9, 0.75, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625};
+constexpr double near_radii = 1.012;
+
+// Tries in the search, over all curves, on a mesh of so many faces; at least the fewest.
+constexpr std::size_t tries_times_faces = 4000000;
+constexpr std::size_t fewest_tries = 16, most_tries = 150;
+
+struct Passes {
+  Fillet_outcome outcome;
+  std::vector<std::pair<std::size_t, Edge_blend>> refused;  // in the first pass, by the place of their report
+};
+
+Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
+                  const Fillet_options& options, bool thorough) {
+  Fillet_pass pass = fillet_pass(body, blends, {}, out, options, thorough);
+  Passes result{std::move(pass.outcome), std::move(pass.refused)};
+  Fillet_outcome& whole = result.outcome;
+  if (!whole.ok() || pass.later.empty()) return result;
   Ancestry ancestry(whole);
   while (!pass.later.empty()) {
     Blend_mesh mesh = std::move(out);
@@ -23,18 +44,19 @@ Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_
     std::vector<Edge_blend> next;
     for (const Later_blend& later : pass.later) {
       Edge_blend blend{find(later.edges), later.radius, later.profile, later.law};
+      if (later.law) blend.start = find.first(later.edges);
       if (!blend.edges.empty()) next.push_back(std::move(blend));  // else an earlier blend has taken it up
     }
-    Earlier_blends earlier{find(pass.creases), {}};
-    for (const Face f : mesh.faces())
-      if (ancestry.origins[f.idx()] == no_origin) earlier.faces.push_back(f);
     if (next.empty()) {
       out = std::move(mesh);
       break;
     }
+    Earlier_blends earlier{find(pass.creases), {}};
+    for (const Face f : mesh.faces())
+      if (ancestry.origins[f.idx()] == no_origin) earlier.faces.push_back(f);
     Fillet_body rest;
     rest.mesh = rest.base[0] = rest.base[1] = &mesh;
-    pass = fillet_pass(rest, next, earlier, out, options);
+    pass = fillet_pass(rest, next, earlier, out, options, thorough);
     add(whole.times, pass.outcome.times);
     whole.blends.insert(whole.blends.end(), pass.outcome.blends.begin(), pass.outcome.blends.end());
     if (!pass.outcome.ok()) {
@@ -44,7 +66,7 @@ Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_
       }
       whole.diagnosis = pass.outcome.diagnosis;
       out.clear();
-      return whole;
+      return result;
     }
     ancestry.advance(pass.outcome, 0);
     whole.volume = pass.outcome.volume;
@@ -54,7 +76,97 @@ Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_
   ancestry.put_kept_first(out);
   ancestry.describe_faces(whole);
   whole.times.copy += copying.milliseconds();
-  return whole;
+  return result;
+}
+
+/// Finds the largest radius for blends that are refused, by trial, with all of their radii in proportion.
+class Radius_search {
+ public:
+  Radius_search(const Fillet_body& body, const Fillet_options& options)
+      : body_(body), options_(options),
+        tries_(std::clamp<std::size_t>(tries_times_faces / std::max<std::size_t>(1, body.mesh->number_of_faces()),
+                                       fewest_tries, most_tries)) {
+    options_.keep_going = false;
+    options_.progress = nullptr;
+    progress_ = options.progress;
+  }
+
+  static bool may_help(Status status) {
+    return status == Status::radius_exceeds_face || status == Status::radius_exceeds_curvature ||
+           status == Status::no_rolling_ball || status == Status::blend_collides || status == Status::blends_overlap;
+  }
+
+  /// The share of their radii at which all of the blends work; none if it is not found.
+  std::optional<double> operator()(const std::vector<Edge_blend>& blends) {
+    double works = 0, fails = 1;
+    for (const double share : first_shares) {
+      if (!may_try()) return std::nullopt;
+      if (fits(blends, share)) {
+        works = share;
+        break;
+      }
+      fails = share;
+    }
+    if (works == 0) return std::nullopt;
+    while (fails > near_radii * works && may_try()) {
+      const double middle = (works + fails) / 2;
+      (fits(blends, middle) ? works : fails) = middle;
+    }
+    return works;
+  }
+
+ private:
+  bool may_try() { return tries_ > 0 && (!progress_ || progress_(1)); }
+
+  bool fits(std::vector<Edge_blend> blends, double share) {
+    --tries_;
+    for (Edge_blend& blend : blends) {
+      const Radius_law law = radius_law_of(blend, options_);
+      blend.radius = share * law.largest();
+      if (!law.is_constant()) blend.law = law.scaled(share);
+      else blend.law.reset();
+    }
+    Fillet_options options = options_;
+    options.law.reset();
+    Blend_mesh ignored;
+    return run_passes(body_, blends, ignored, options, false).outcome.ok();
+  }
+
+  const Fillet_body& body_;
+  Fillet_options options_;
+  std::size_t tries_;
+  std::function<bool(double)> progress_;
+};
+
+bool is_sharpened(const Edge_blend& blend, const Fillet_options& options) {
+  return blend.profile.value_or(options.profile).is_sharp();
+}
+
+}  // namespace
+
+Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
+                                const Fillet_options& options) {
+  Passes result = run_passes(body, blends, out, options, true);
+  Fillet_outcome& outcome = result.outcome;
+  Radius_search search(body, options);
+  if (!outcome.ok()) {
+    const bool sharpens = std::any_of(blends.begin(), blends.end(),
+                                      [&](const Edge_blend& blend) { return is_sharpened(blend, options); });
+    if (sharpens || !Radius_search::may_help(outcome.diagnosis.status)) return std::move(outcome);
+    if (const auto share = search(blends))
+      for (Blend_report& report : outcome.blends) {
+        if (report.diagnosis.ok() || !Radius_search::may_help(report.diagnosis.status)) continue;
+        report.diagnosis.max_radius = *share * report.radius;
+        if (report.diagnosis.point == outcome.diagnosis.point) outcome.diagnosis.max_radius = *share * report.radius;
+      }
+    return std::move(outcome);
+  }
+  for (const auto& [place, blend] : result.refused) {
+    Diagnosis& diagnosis = outcome.blends[place].diagnosis;
+    if (!Radius_search::may_help(diagnosis.status) || is_sharpened(blend, options)) continue;
+    if (const auto share = search({blend})) diagnosis.max_radius = *share * outcome.blends[place].radius;
+  }
+  return std::move(outcome);
 }
 
 }  // namespace cgal_blend

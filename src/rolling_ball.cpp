@@ -17,6 +17,7 @@ namespace {
 
 constexpr double widest_gap = 3;  // of the coarsest step: farther apart, positions are not joined
 constexpr int deepest_split = 12;
+constexpr double most_guesses = 4000;  // along a curve: with smaller balls, only where it bends are they closer
 constexpr std::size_t fewest_positions = 6;
 constexpr std::size_t fewest_open_positions = 2;
 constexpr std::size_t most_loops = 64;
@@ -240,6 +241,13 @@ double mean_step(const std::vector<Ball_guess>& guesses) {
   return length / static_cast<double>(guesses.size());
 }
 
+/// The longest step on a curve that is so long against the ball that there would be too many.
+double coarsest_on(const Blend_curve& curve, double coarsest, double radius) {
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) length += (curve.points[i + 1] - curve.points[i]).norm();
+  return std::max(coarsest, length / (most_guesses * radius));
+}
+
 /// Loops of an open spine are not mended, but found by the folds of the blend.
 Ball_path roll_open(const Ball_solver& solver, const Blend_curve& curve, const Sampling& sampling) {
   const double radius = solver.radius();
@@ -264,9 +272,11 @@ Sampling sampling(double chord_tolerance) {
 }
 
 Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
-                    const Radius_law& law, const Sampling& sampling) {
+                    const Radius_law& law, const Sampling& wanted) {
   const Ball_solver solver(surfaces, law, curve.convex);
   const double radius = law.largest();
+  Sampling sampling = wanted;
+  sampling.coarsest = coarsest_on(curve, wanted.coarsest, radius);
   if (!curve.closed) return roll_open(solver, curve, sampling);
   const Curve_locator locator(curve.points);
   const Guess_spacing spacing{sampling.coarsest * radius, sampling.samples};

@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -147,6 +150,39 @@ TEST_F(Cli, ProfilesByName) {
   // A chamfer of the contacts of a ball of radius 2 takes off a ring with a right-angled triangle as its section.
   const double ring = 2 * pi * (10 - 2.0 / 3) * 2;
   EXPECT_NEAR(volume("cylinder.off") - volume("out.off"), ring, 0.01 * ring);
+}
+
+/// The radius at the direction of a vertex of the rim, by the contact of the ball on the top of the cylinder.
+double radius_towards(const Blend_mesh& mesh, const Point_3& rim) {
+  double nearest = 10;
+  for (const Vertex v : mesh.vertices()) {
+    const Point_3& p = mesh.point(v);
+    const double across = (p.x() * rim.y() - p.y() * rim.x()) / 10, along = (p.x() * rim.x() + p.y() * rim.y()) / 10;
+    if (p.z() == rim.z() && along > 1 && std::abs(across) < 0.3) nearest = std::min(nearest, along);
+  }
+  return 10 - nearest;
+}
+
+TEST_F(Cli, RadiusRunsAlongThePolylineFromItsFirstVertex) {
+  const Blend_mesh sharp = read_mesh(path("cylinder.off"));
+  const std::string law = "[[0, 1], [0.25, 1.5], [0.5, 3]]", typed = "0:1,0.25:1.5,0.5:3";
+  for (const int sense : {1, -1})
+    for (const int start : {0, 21}) {
+      std::string indices;
+      const auto place = [&](int i) { return 64 + (start + sense * i + 128) % 64; };
+      for (int i = 0; i <= 64; ++i) indices += (i > 0 ? ", " : "") + std::to_string(place(i));
+      write("own.json", R"({"blends": [{"polyline": [)" + indices + R"(], "radius": )" + law + "}]}");
+      write("typed.json", R"({"blends": [{"polyline": [)" + indices + "]}]}");
+      const Run r = run("fillet cylinder.off --blends own.json -o own.off");
+      ASSERT_EQ(r.exit, 0) << r.err;
+      expect_valid("own.off");
+      const Blend_mesh mesh = read_mesh(path("own.off"));
+      for (const auto& [quarter, radius] : {std::pair(0, 1.0), {1, 1.5}, {2, 3.0}, {3, 2.0}})
+        EXPECT_NEAR(radius_towards(mesh, sharp.point(Vertex(place(16 * quarter)))), radius, 0.15)
+            << quarter << ' ' << start << ' ' << sense;
+      ASSERT_EQ(run("fillet cylinder.off --blends typed.json --radius " + typed + " -o typed.off").exit, 0);
+      EXPECT_EQ(bytes("typed.off"), bytes("own.off"));
+    }
 }
 
 TEST_F(Cli, MapModeKeepsTheFacesOfTheSharpResult) {
