@@ -51,7 +51,7 @@ Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends
       out = std::move(mesh);
       break;
     }
-    Earlier_blends earlier{find(pass.creases), {}};
+    Earlier_blends earlier{find(pass.creases), {}, pass.corners};
     for (const Face f : mesh.faces())
       if (ancestry.origins[f.idx()] == no_origin) earlier.faces.push_back(f);
     Fillet_body rest;
