@@ -108,7 +108,7 @@ Fillet_body body_of(const std::array<const Blend_mesh*, 2>& operands, const Bool
 /// Blends the curves of a boolean as edges of the mesh that results, whatever surfaces it was made of: their corners are
 /// known to the mesh alone.
 Fillet_outcome blend_result(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out,
-                            const Fillet_options& options) {
+                            const Fillet_options& options, bool search) {
   Blend_mesh plain;
   Fillet_outcome whole = sharp_boolean(body, sharp, plain);
   if (!whole.ok()) return whole;
@@ -118,7 +118,7 @@ Fillet_outcome blend_result(const Fillet_body& body, const Boolean_result& sharp
   Ancestry ancestry(whole);
   Fillet_body own;
   own.mesh = own.base[0] = own.base[1] = &plain;
-  whole = fillet_in_passes(own, {{Edge_finder(plain)(steps)}}, out, options);
+  whole = fillet_in_passes(own, {{Edge_finder(plain)(steps)}}, out, options, search);
   if (!whole.ok()) return whole;
   ancestry.advance(whole, 0);
   ancestry.put_kept_first(out);
@@ -129,10 +129,14 @@ Fillet_outcome blend_result(const Fillet_body& body, const Boolean_result& sharp
 /// Blends the curves of a boolean. Where the boolean itself is not valid, that is what is wrong, and not the blend.
 Fillet_outcome blend_sharp(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out,
                            const Fillet_options& options) {
-  Fillet_outcome outcome = blend_body(body, {{sharp.curves}}, out, options);
-  if (outcome.diagnosis.status == Status::corner && options.mode == Blend_mode::stitch) {
-    Fillet_outcome other = blend_result(body, sharp, out, options);
-    if (other.ok() || other.diagnosis.max_radius) return other;
+  const bool may_change_view = options.mode == Blend_mode::stitch;
+  Fillet_outcome outcome = may_change_view ? fillet_in_passes(body, {{sharp.curves}}, out, options, false)
+                                           : blend_body(body, {{sharp.curves}}, out, options);
+  const Status status = outcome.diagnosis.status;
+  if (may_change_view && status_class(status) == Status_class::blend && status != Status::cancelled) {
+    Fillet_outcome other = blend_result(body, sharp, out, options, status == Status::corner);
+    if (other.ok() || (status == Status::corner && other.diagnosis.max_radius)) return other;
+    outcome = fillet_in_passes(body, {{sharp.curves}}, out, options);
   }
   if (outcome.diagnosis.status != Status::result_invalid) return outcome;
   Blend_mesh unblended;

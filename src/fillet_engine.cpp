@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fillet_engine.h"
 
+#include "ancestry.h"
 #include "blend_curve.h"
 #include "blend_strip.h"
 #include "corner_patch.h"
@@ -134,7 +135,8 @@ class Engine {
     outcome.diagnosis = prepare(blends);
     while (outcome.diagnosis.ok()) {
       outcome.diagnosis = roll_all();
-      if (!outcome.diagnosis.ok()) break;
+      pass.again = options_.keep_going && refused_at_corner();
+      if (!outcome.diagnosis.ok() || pass.again) break;
       Assembly assembly = assemble();
       if (assembly.diagnosis.ok()) {
         outcome = std::move(assembly.outcome);
@@ -148,6 +150,7 @@ class Engine {
     }
     if (!outcome.ok()) out.clear();
     for (const Job& job : jobs_) {
+      if (pass.again && job.report.diagnosis.ok()) continue;
       if (job.waits && job.report.diagnosis.ok() && outcome.ok()) continue;
       if (!job.report.diagnosis.ok()) pass.refused.push_back({outcome.blends.size(), blend_of(job)});
       outcome.blends.push_back(job.report);
@@ -638,6 +641,17 @@ class Engine {
     return {};
   }
 
+  /// True if a branch is refused on which others count in a corner: these are to be looked at anew without it.
+  [[nodiscard]] bool refused_at_corner() const {
+    for (const auto& [v, node] : nodes_) {
+      const auto refused = std::count_if(node.begin(), node.end(), [&](const auto& branch) {
+        return !jobs_[branch.first].report.diagnosis.ok();
+      });
+      if (refused > 0 && refused < static_cast<std::ptrdiff_t>(node.size())) return true;
+    }
+    return false;
+  }
+
   /// Gives a blend that did not fit another try on a smoother surface, or refuses it.
   Diagnosis escalate(std::size_t blame, const Diagnosis& diagnosis) {
     Job& job = jobs_[blame];
@@ -1071,7 +1085,39 @@ class Engine {
 
 Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& blends,
                         const Earlier_blends& earlier, Blend_mesh& out, const Fillet_options& options, bool thorough) {
-  return Engine(body, options, thorough, earlier).run(blends, out);
+  std::vector<Edge_blend> wanted = blends;
+  Earlier_blends before = earlier;
+  std::vector<std::pair<Blend_report, Edge_blend>> refused;
+  Stage_times times;
+  while (true) {
+    Fillet_pass pass = Engine(body, options, thorough, before).run(wanted, out);
+    add(times, pass.outcome.times);
+    if (pass.again) {
+      std::unordered_set<Edge> left_out;
+      for (const auto& [place, blend] : pass.refused) {
+        refused.emplace_back(pass.outcome.blends[place], blend);
+        left_out.insert(blend.edges.begin(), blend.edges.end());
+      }
+      before.creases.insert(before.creases.end(), left_out.begin(), left_out.end());
+      for (Edge_blend& blend : wanted)
+        blend.edges.erase(std::remove_if(blend.edges.begin(), blend.edges.end(),
+                                         [&](Edge e) { return left_out.count(e) != 0; }),
+                          blend.edges.end());
+      wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
+                                  [](const Edge_blend& blend) { return blend.edges.empty(); }),
+                   wanted.end());
+      if (!wanted.empty()) continue;
+      pass.outcome.blends.clear();
+      pass.refused.clear();
+      pass.outcome.diagnosis = refused.front().first.diagnosis;
+    }
+    for (const auto& [report, blend] : refused) {
+      pass.refused.emplace_back(pass.outcome.blends.size(), blend);
+      pass.outcome.blends.push_back(report);
+    }
+    pass.outcome.times = times;
+    return pass;
+  }
 }
 
 }  // namespace cgal_blend

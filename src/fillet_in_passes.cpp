@@ -153,9 +153,10 @@ bool is_sharpened(const Edge_blend& blend, const Fillet_options& options) {
 }  // namespace
 
 Fillet_outcome fillet_in_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
-                                const Fillet_options& options) {
+                                const Fillet_options& options, bool search_radius) {
   Passes result = run_passes(body, blends, out, options, true);
   Fillet_outcome& outcome = result.outcome;
+  if (!search_radius) return std::move(outcome);
   Radius_search search(body, options);
   if (!outcome.ok()) {
     const bool sharpens = std::any_of(blends.begin(), blends.end(),
