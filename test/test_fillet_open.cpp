@@ -35,17 +35,16 @@ Polytope wedge(double theta, double half, const std::array<std::array<double, 2>
   const Vec3 first(0, -1, 0), second(-std::sin(theta), std::cos(theta), 0);
   const Vec3 bisector(std::cos(theta / 2), std::sin(theta / 2), 0);
   return Polytope({half_space(first, Vec3::Zero()), half_space(second, Vec3::Zero()),
-                   half_space(bisector, 12 * bisector),
-                   half_space({slopes[0][0], slopes[0][1], -1}, {0, 0, -half}),
+                   half_space(bisector, 12 * bisector), half_space({slopes[0][0], slopes[0][1], -1}, {0, 0, -half}),
                    half_space({slopes[1][0], slopes[1][1], 1}, {0, 0, half})});
 }
 
 Blended blend_wedge(const Polytope& body, double r) {
   const Blend_mesh mesh = body.mesh();
   const auto on_edge = [](const Point_3& p) { return std::hypot(p.x(), p.y()) < 1e-9; };
-  return blend_all(mesh,
-                   {{edges_where(mesh, [&](const Point_3& p, const Point_3& q) { return on_edge(p) && on_edge(q); }), r}},
-                   fine);
+  return blend_all(
+      mesh, {{edges_where(mesh, [&](const Point_3& p, const Point_3& q) { return on_edge(p) && on_edge(q); }), r}},
+      fine);
 }
 
 TEST(Fillet_open, EdgeOfABox) {
@@ -90,7 +89,8 @@ TEST(Fillet_open, WedgesWithObliqueEnds) {
     for (const auto& slopes : std::vector<std::array<std::array<double, 2>, 2>>{
              {{{0.4, 0}, {0, 0}}}, {{{0.3, -0.5}, {0.2, 0.6}}}, {{{-0.4, -0.2}, {-0.3, 0.1}}}, {{{0, 0}, {1, 1}}}}) {
       SCOPED_TRACE(std::to_string(degrees) + " degrees, slopes " + std::to_string(slopes[0][0]) + " " +
-                   std::to_string(slopes[0][1]) + ", " + std::to_string(slopes[1][0]) + " " + std::to_string(slopes[1][1]));
+                   std::to_string(slopes[0][1]) + ", " + std::to_string(slopes[1][0]) + " " +
+                   std::to_string(slopes[1][1]));
       const double theta = degrees * pi / 180, r = 1;
       // The planes are linear in x and y: the mean length is the one at the section's centroid.
       const double at = section_centroid(theta, r), x = at * std::cos(theta / 2), y = at * std::sin(theta / 2);
@@ -187,12 +187,15 @@ TEST(Fillet_open, EdgeOfARibRunsIntoAWall) {
   // In the xz-plane: floor z = 0, wall x = 0; rib 2 wide from (0, 6) down to (8, 0).
   Blend_mesh corner = transformed(tower({{-3, -3}, {12, -3}, {12, 0}, {0, 0}, {0, 10}, {-3, 10}}, {-6, 6}),
                                   placement({1, 0, 0}, pi / 2));
-  const Blend_mesh rib = transformed(tower({{-1, -1}, {28.0 / 3, -1}, {-1, 6.75}}, {-1, 1}), placement({1, 0, 0}, pi / 2));
+  const Blend_mesh rib =
+      transformed(tower({{-1, -1}, {28.0 / 3, -1}, {-1, 6.75}}, {-1, 1}), placement({1, 0, 0}, pi / 2));
   Blend_mesh body;
   const auto made = unchecked::corefine_and_fillet(corner, rib, Boolean_operation::union_, body, options_of(0));
   ASSERT_TRUE(made.ok()) << message(made.diagnosis);
   // The back is z = 6 - 3/4 x; its edges are at y = +-1.
-  const auto back = [](const Point_3& p) { return std::abs(p.z() - 6 + 0.75 * p.x()) < 1e-5 && p.x() > -1e-5 && p.z() > -1e-5; };
+  const auto back = [](const Point_3& p) {
+    return std::abs(p.z() - 6 + 0.75 * p.x()) < 1e-5 && p.x() > -1e-5 && p.z() > -1e-5;
+  };
   for (const double side : {-1.0, 1.0}) {
     const std::vector<Edge> edge = edges_where(body, [&](const Point_3& p, const Point_3& q) {
       return back(p) && back(q) && std::abs(p.y() - side) < 1e-9 && std::abs(q.y() - side) < 1e-9;
@@ -214,9 +217,9 @@ TEST(Fillet_open, OneEdgeOfAPyramid) {
       SCOPED_TRACE("height " + std::to_string(height) + ", edge " + std::to_string(e.a) + " " + std::to_string(e.b));
       const double r = 0.4;
       const Vec3 p = body.points()[e.a], q = body.points()[e.b];
-      const Blended b =
-          blend_all(mesh, {{edges_along(mesh, {p.x(), p.y(), p.z()}, {q.x(), q.y(), q.z()}), r}}, fine);
-      expect_change(b, -removed_by_round(body, {body.sides()[e.f], body.sides()[e.g], r}), arc_share_of(pi - body.turn(e)));
+      const Blended b = blend_all(mesh, {{edges_along(mesh, {p.x(), p.y(), p.z()}, {q.x(), q.y(), q.z()}), r}}, fine);
+      expect_change(b, -removed_by_round(body, {body.sides()[e.f], body.sides()[e.g], r}),
+                    arc_share_of(pi - body.turn(e)));
     }
   }
 }
@@ -230,7 +233,8 @@ TEST(Fillet_open, OneEdgeOfEachRegularSolid) {
     const Vec3 p = body.points()[e.a], q = body.points()[e.b];
     const double r = 0.1;
     const Blended b = blend_all(mesh, {{edges_along(mesh, {p.x(), p.y(), p.z()}, {q.x(), q.y(), q.z()}), r}}, fine);
-    expect_change(b, -removed_by_round(body, {body.sides()[e.f], body.sides()[e.g], r}), arc_share_of(pi - body.turn(e)));
+    expect_change(b, -removed_by_round(body, {body.sides()[e.f], body.sides()[e.g], r}),
+                  arc_share_of(pi - body.turn(e)));
   }
 }
 
@@ -243,7 +247,8 @@ TEST(Fillet_open, PartOfAConvexChain) {
     const Blended b = blend_all(mesh, {{edges_along(mesh, {from, 10, 10}, {to, 10, 10}), 1.3}}, fine);
     expect_change(b, -spandrel(1.3) * (to - from), arc_share);
   }
-  const Blended two = blend_all(mesh, {{joined(edges_along(mesh, {1, 0, 0}, {3, 0, 0}), edges_along(mesh, {6, 0, 0}, {9, 0, 0})), 1.3}}, fine);
+  const Blended two = blend_all(
+      mesh, {{joined(edges_along(mesh, {1, 0, 0}, {3, 0, 0}), edges_along(mesh, {6, 0, 0}, {9, 0, 0})), 1.3}}, fine);
   expect_change(two, -spandrel(1.3) * 5, arc_share);
 }
 
@@ -261,7 +266,9 @@ TEST(Fillet_open, PartOfACircle) {
   const Blend_mesh boss = boss_on_plate(15, 30, 8, 20, 1.0);
   const auto half_at = [&](double z) {
     return edges_where(boss, [&](const Point_3& p, const Point_3& q) {
-      const auto on = [&](const Point_3& s) { return std::abs(std::hypot(s.x(), s.y()) - 15) < 1e-9 && s.z() == z && s.y() > -1e-9; };
+      const auto on = [&](const Point_3& s) {
+        return std::abs(std::hypot(s.x(), s.y()) - 15) < 1e-9 && s.z() == z && s.y() > -1e-9;
+      };
       return on(p) && on(q);
     });
   };
@@ -270,7 +277,9 @@ TEST(Fillet_open, PartOfACircle) {
     ASSERT_FALSE(half.empty());
     double turned = 0;
     for (const Edge e : half)
-      turned += 2 * std::asin(std::sqrt(CGAL::squared_distance(boss.point(boss.vertex(e, 0)), boss.point(boss.vertex(e, 1)))) / 30);
+      turned +=
+          2 * std::asin(
+                  std::sqrt(CGAL::squared_distance(boss.point(boss.vertex(e, 0)), boss.point(boss.vertex(e, 1)))) / 30);
     const double expected = turned / (2 * pi) * (z == 0 ? foot_volume(15, 3) : -rim_volume(15, 3));
     expect_change(blend_all(boss, {{half, 3}}, fine), expected, 0.01);
   }
@@ -300,8 +309,9 @@ TEST(Fillet_open, FadingCrease) {
       triangles.push_back({at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0)});
     }
   for (int k = 0; k < n; ++k)
-    for (const auto& [a, b] : {std::pair(std::pair(k, 0), std::pair(k + 1, 0)), std::pair(std::pair(n, k), std::pair(n, k + 1)),
-                               std::pair(std::pair(k + 1, n), std::pair(k, n)), std::pair(std::pair(0, k + 1), std::pair(0, k))}) {
+    for (const auto& [a, b] :
+         {std::pair(std::pair(k, 0), std::pair(k + 1, 0)), std::pair(std::pair(n, k), std::pair(n, k + 1)),
+          std::pair(std::pair(k + 1, n), std::pair(k, n)), std::pair(std::pair(0, k + 1), std::pair(0, k))}) {
       triangles.push_back({at(a.first, a.second, 0), at(b.first, b.second, 0), at(b.first, b.second, 1)});
       triangles.push_back({at(a.first, a.second, 0), at(b.first, b.second, 1), at(a.first, a.second, 1)});
     }
@@ -331,7 +341,8 @@ TEST(Fillet_open, FollowsMotionScaleAndOrder) {
     for (const double scale : {1e-3, 1.0, 1e6}) {
       const Placement motion = random_motion(3, scale);
       const Blend_mesh moved = transformed(c.mesh, motion);
-      const Blended b = blend_all(moved, {{edges_along(moved, motion.transform(c.from), motion.transform(c.to)), scale}});
+      const Blended b =
+          blend_all(moved, {{edges_along(moved, motion.transform(c.from), motion.transform(c.to)), scale}});
       EXPECT_NEAR(volume_of(b.mesh) / std::pow(scale, 3), volume, 1e-6 * volume) << scale;
     }
     for (const unsigned seed : {1u, 2u, 3u, 4u}) {
@@ -340,8 +351,8 @@ TEST(Fillet_open, FollowsMotionScaleAndOrder) {
       EXPECT_NEAR(volume_of(b.mesh), volume, 1e-9 * volume) << seed;
     }
     const Blend_mesh image = mirrored(c.mesh);
-    const Blended b =
-        blend_all(image, {{edges_along(image, {-c.from.x(), c.from.y(), c.from.z()}, {-c.to.x(), c.to.y(), c.to.z()}), 1}});
+    const Blended b = blend_all(
+        image, {{edges_along(image, {-c.from.x(), c.from.y(), c.from.z()}, {-c.to.x(), c.to.y(), c.to.z()}), 1}});
     EXPECT_NEAR(volume_of(b.mesh), volume, 1e-9 * volume);
   }
 }
