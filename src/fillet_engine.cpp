@@ -115,6 +115,7 @@ struct Assembly {
   Blend_mesh mesh;
   std::vector<Later_blend> later;
   std::vector<Later_blend::Step> creases;
+  std::vector<Unfinished_corner> corners;
 };
 
 class Engine {
@@ -139,6 +140,7 @@ class Engine {
         outcome = std::move(assembly.outcome);
         pass.later = std::move(assembly.later);
         pass.creases = std::move(assembly.creases);
+        pass.corners = std::move(assembly.corners);
         out = std::move(assembly.mesh);
         break;
       }
@@ -188,7 +190,10 @@ class Engine {
         for (const int end : {0, 1}) nodes_[jobs_[i].ends[end]].push_back({i, end});
     for (Job& job : jobs_)
       if (!job.report.closed && job.report.diagnosis.ok()) job.report.diagnosis = refuse_open(job);
-    if (body_.own_surface) set_order();
+    if (body_.own_surface) {
+      resume_corners();
+      set_order();
+    }
     return first_refusal();
   }
 
@@ -226,11 +231,91 @@ class Engine {
       }
     }
     const auto runs = [](const Job& job) { return !job.waits && job.report.diagnosis.ok(); };
-    if (std::none_of(jobs_.begin(), jobs_.end(), runs)) {  // all wait for each other
-      for (Job& job : jobs_)
-        if (job.waits && job.report.diagnosis.ok())
-          job.report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(job.ends[0])));
+    if (std::any_of(jobs_.begin(), jobs_.end(), runs)) return;
+    // All wait for each other: one goes first, and the corners with a ball on its way are finished later.
+    const auto may_start = [&](std::size_t i) {
+      return std::all_of(jobs_[i].ends.begin(), jobs_[i].ends.end(), [&](Vertex v) {
+        const auto winner = first.find(v);
+        return winner != first.end() ? winner->second == i : nodes_.at(v).size() == 1 || nodes_.at(v).size() == 3;
+      });
+    };
+    for (std::size_t i = 0; i < jobs_.size(); ++i)
+      if (jobs_[i].waits && jobs_[i].report.diagnosis.ok() && may_start(i)) {
+        jobs_[i].waits = false;
+        return;
+      }
+    for (Job& job : jobs_)
+      if (job.waits && job.report.diagnosis.ok())
+        job.report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(job.ends[0])));
+  }
+
+  [[nodiscard]] Halfedge into(const std::pair<std::size_t, int>& branch) const {
+    const Job& job = jobs_[branch.first];
+    return branch.second == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
+  }
+
+  /// Takes up the corners that an earlier pass has left: two branches and a blend that is there already.
+  void resume_corners() {
+    if (earlier_.corners.empty()) return;
+    std::map<Point_3, Vertex> vertex;
+    for (const Vertex v : body_.mesh->vertices()) vertex.emplace(body_.mesh->point(v), v);
+    const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_, &blend_faces_);
+    for (const Unfinished_corner& unfinished : earlier_.corners) {
+      Blend_corner corner;
+      std::array<std::vector<std::pair<std::size_t, int>>, 2> node;
+      for (const int side : {0, 1}) {
+        const auto end = vertex.find(unfinished.ends[side]);
+        if (end != vertex.end() && nodes_.count(end->second)) node[side] = nodes_.at(end->second);
+      }
+      for (const Point_3& p : unfinished.chain)
+        if (const auto v = vertex.find(p); v != vertex.end()) corner.chain.push_back(v->second);
+      if (node[0].size() != 1 || node[1].size() != 1 || corner.chain.size() != unfinished.chain.size()) continue;
+      corner.branches = {{Blend_corner::no_branch, 0}, node[1].front(), node[0].front()};
+      corner.ball.center = to_vec(unfinished.center);
+      const double radius = (to_vec(body_.mesh->point(corner.chain.front())) - corner.ball.center).norm();
+      const auto wants = [&](const std::pair<std::size_t, int>& b) {
+        return std::abs((*jobs_[b.first].law)(b.second) - radius) <= same_radius * radius;
+      };
+      if (!wants(node[0].front()) || !wants(node[1].front())) continue;
+      const auto third = third_foot(surface, corner, radius);
+      if (!third) continue;
+      corner.ball.foot = {point_at(surface, corner.chain.back()), *third, point_at(surface, corner.chain.front())};
+      const Vertex key = body_.mesh->target(into(node[0].front()));
+      corners_[key] = std::move(corner);
+      for (const int side : {0, 1}) resumed_[body_.mesh->target(into(node[side].front()))] = &corners_[key];
     }
+  }
+
+  /// A vertex as a point of a face that is of no blend.
+  [[nodiscard]] Surface_point point_at(const Base_surface& surface, Vertex v) const {
+    const Blend_mesh& mesh = *body_.mesh;
+    Surface_point at;
+    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+      if (blend_faces_.count(mesh.face(h))) continue;
+      const Base_surface::Frame& frame = surface.frame(mesh.face(h));
+      at.face = mesh.face(h);
+      for (int i = 0; i < 3; ++i) at.bary[i] = frame.halfedge[i] == h ? 1 : 0;
+    }
+    return at;
+  }
+
+  /// Where the ball at rest touches the faces between the two branches that are to come.
+  [[nodiscard]] std::optional<Surface_point> third_foot(const Base_surface& surface, const Blend_corner& corner,
+                                                        double radius) const {
+    const Blend_mesh& mesh = *body_.mesh;
+    const Face start = mesh.face(mesh.opposite(into(corner.branches[1])));
+    Surface_point at{start, Vec::Constant(1.0 / 3)};
+    for (int step = 0; step < 50; ++step) {  // towards the place below the centre
+      const Vec normal = surface.normal(at);
+      const Vec arm = corner.ball.center - surface.position(at);
+      const Vec along = arm - arm.dot(normal) * normal;
+      if (along.norm() < same_radius * radius) {
+        if (std::abs(arm.norm() - radius) > 1e-6 * radius) break;
+        return at;
+      }
+      at = surface.walk(at, along).end;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] Base_surface::Options open_surface_options(std::size_t level) const {
@@ -441,8 +526,17 @@ class Engine {
                                                     &blend_faces_);
     for (const int end : {0, 1}) {
       const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
-      Blend_corner* corner = nodes_.at(job.ends[end]).size() > 1 ? corner_at(job.ends[end], *branch.surface) : nullptr;
-      if (!corner) {
+      const Vertex v = job.ends[end];
+      const auto resumed = resumed_.find(v);
+      Blend_corner* corner = resumed != resumed_.end()   ? resumed->second
+                             : nodes_.at(v).size() > 1 ? corner_at(v, *branch.surface)
+                                                       : nullptr;
+      if (corner) branch.place[end] = place_in_corner(*corner, into);
+      const bool is_complete = corner && std::none_of(corner->branches.begin(), corner->branches.end(), [&](const auto& b) {
+                                 return b.first != Blend_corner::no_branch && jobs_[b.first].waits;
+                               });
+      if (!is_complete) {
+        branch.through[end] = corner;
         const End_view view = view_end(*branch.surface, into, end, job.curve.convex, radius);
         if (!view.diagnosis.ok()) return view.diagnosis;
         branch.ends[end] = view.end;
@@ -486,10 +580,6 @@ class Engine {
       if (!jobs_[i].report.diagnosis.ok() || jobs_[i].curve.convex != first.curve.convex ||
           std::abs((*jobs_[i].law)(end) - radius) > same_radius * radius)
         return nullptr;
-    const auto into = [&](std::pair<std::size_t, int> branch) {
-      const Job& job = jobs_[branch.first];
-      return branch.second == 1 ? job.halfedges.back() : mesh.opposite(job.halfedges.front());
-    };
     std::vector<std::vector<Halfedge>> sectors;
     std::vector<std::pair<std::size_t, int>> order;
     Halfedge h = into(node.front());
@@ -505,7 +595,7 @@ class Engine {
     } while (h != into(node.front()));
     auto ball = find_corner_ball(surface, sectors, first.curve.convex ? -radius : radius);
     if (!ball) return nullptr;
-    corner = {v, std::move(order), std::move(sectors), std::move(*ball), {}};
+    corner = {std::move(order), std::move(*ball), {}, {}};
     return &corner;
   }
 
@@ -589,6 +679,32 @@ class Engine {
 
   // Assembly of what waits.
 
+  /// The corner that a blend has passed, to be finished by the branches left and right of it.
+  void add_unfinished(const Blend_mesh& work, std::size_t i, int end, const Strip_border& border,
+                      const std::vector<Rim>& rims, Assembly& result) const {
+    const Job& job = jobs_[i];
+    const Open_branch& branch = *job.open;
+    const std::size_t at = branch.passed[end];
+    const auto rim = std::find_if(rims.begin(), rims.end(), [&](const Rim& r) { return r.blend == i; });
+    Unfinished_corner corner;
+    for (std::size_t k = 0; k < branch.rows.size(); ++k) {
+      if (branch.strip_ends[0].last[k] > at || branch.strip_ends[1].last[k] < at) return;  // the end has swallowed it
+      if (k == 0 || k + 1 == branch.rows.size()) {
+        const Rim& side = *(rim + (k == 0 ? 0 : 1));
+        corner.chain.push_back(work.point(side.vertices[side.path.station_of[at]]));
+      } else {
+        corner.chain.push_back(to_point(job.surface->on_profile(at, branch.rows[k])));
+      }
+    }
+    corner.center = to_point(job.positions[at].center);
+    corner.ends = {work.point(border.hit.front()), work.point(border.hit.back())};
+    if (branch.ends[end].left() == 1) {
+      std::reverse(corner.chain.begin(), corner.chain.end());
+      std::swap(corner.ends[0], corner.ends[1]);
+    }
+    result.corners.push_back(std::move(corner));
+  }
+
   /// The edges of a branch as they are by now, cut where rims cross them; those that are gone are left out later.
   void add_later(const Blend_mesh& work, const Trimming& trimming,
                  const std::map<std::size_t, std::array<End_assembly, 2>>& ends, const std::vector<Rim>& rims,
@@ -634,7 +750,9 @@ class Engine {
           for (const int side : {0, 1})
             if (body_.mesh->edge(e.border[side].front()) == body_.mesh->edge(into)) waiting[side] = k;
         }
-        if (waiting[0] && waiting[1]) {  // they go on into each other over the end of this one
+        if (jobs_[i].open->through[end] && waiting[0] && waiting[1]) {
+          add_unfinished(work, i, end, both[end].border, rims, result);
+        } else if (waiting[0] && waiting[1]) {  // they go on into each other over the end of this one
           const Strip_border& border = both[end].border;
           Later_blend& later = result.later[place[*waiting[0]]];
           std::vector<Vertex> chain{border.hit.front()};
@@ -706,6 +824,20 @@ class Engine {
         filled.insert(parts.filled.begin(), parts.filled.end());
       }
     }
+    for (const auto& [v, corner] : corners_) {
+      if (corner.chain.empty()) continue;
+      const std::size_t i = corner.branches.back().first;
+      if (!jobs_[i].rolled || !jobs_[corner.branches[1].first].rolled) continue;
+      Rim cut;
+      cut.surface = jobs_[i].open->surface.get();
+      cut.path.closed = false;
+      for (const Vertex w : corner.chain)
+        cut.path.stations.push_back(station_at(*cut.surface, work.face(work.halfedge(w)), w));
+      cut.keep_left = false;
+      cut.blend = i;
+      cut.vertices = corner.chain;
+      cuts.push_back(std::move(cut));
+    }
     std::vector<Rim> all = rims;
     all.insert(all.end(), cuts.begin(), cuts.end());
     Trimming trimming = trim(work, body_.cells, all, curves, filled);
@@ -727,7 +859,11 @@ class Engine {
       corner.contact.assign(corner.branches.size(), Blend_mesh::null_vertex());
       for (std::size_t k = 0; k < corner.branches.size(); ++k) {
         const auto [i, end] = corner.branches[k];
-        if (!jobs_[i].rolled) continue;
+        if (i == Blend_corner::no_branch) {
+          corner.contact[0] = corner.chain.back();
+          continue;
+        }
+        if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) continue;
         const Open_branch& branch = *jobs_[i].open;
         const Station& s = branch.strip_ends[end].rim[1 - branch.ends[end].left()];
         corner.contact[k] =
@@ -741,19 +877,15 @@ class Engine {
     for (const int end : {0, 1}) {
       const Blend_corner* corner = branch.corner[end];
       if (!corner) continue;
-      const std::size_t k = place_in_corner(*corner, branch.ends[end]), n = corner->branches.size();
+      const std::size_t k = branch.place[end], n = corner->branches.size();
       const Vertex v = corner->contact[side == branch.ends[end].left() ? (k + n - 1) % n : k];
       (end == 0 ? rim.vertices.front() : rim.vertices.back()) = v;
     }
   }
 
-  [[nodiscard]] std::size_t place_in_corner(const Blend_corner& corner, const Branch_end& end) const {
+  [[nodiscard]] std::size_t place_in_corner(const Blend_corner& corner, Halfedge in) const {
     std::size_t k = 0;
-    const auto into = [&](std::pair<std::size_t, int> b) {
-      const Job& job = jobs_[b.first];
-      return b.second == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
-    };
-    while (into(corner.branches[k]) != end.into) ++k;
+    while (corner.branches[k].first == Blend_corner::no_branch || into(corner.branches[k]) != in) ++k;
     return k;
   }
 
@@ -809,13 +941,20 @@ class Engine {
     for (const auto& [v, corner] : corners_) {
       std::vector<Vertex> loop;
       for (const auto& [i, end] : corner.branches) {
-        if (!jobs_[i].rolled) break;
+        if (i == Blend_corner::no_branch) {
+          loop.insert(loop.end(), corner.chain.begin(), corner.chain.end() - 1);
+          continue;
+        }
+        if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) {
+          loop.clear();
+          break;
+        }
         std::vector<Vertex> arc = ends.at(i)[end].border.hit;
         if (jobs_[i].open->ends[end].left() == 1) std::reverse(arc.begin(), arc.end());
         loop.insert(loop.end(), arc.begin(), arc.end() - 1);
       }
       if (loop.empty()) continue;
-      const std::size_t i = corner.branches.front().first;
+      const std::size_t i = corner.branches.back().first;
       const double facet = sampling(options_.chord_tolerance).finest * jobs_[i].report.radius;
       const std::vector<Triangle> patch = tessellate_corner(work, corner.ball.center, loop, facet);
       if (patch.empty()) {
@@ -923,6 +1062,7 @@ class Engine {
   std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
   std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
+  std::map<Vertex, Blend_corner*> resumed_;                          // ends of branches in corners of earlier passes
   std::map<Vertex, Blend_corner> corners_;                           // without branches: no ball is at rest there
   Stage_times aside_;  // what is no part of blending, over all tries
 };

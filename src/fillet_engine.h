@@ -4,6 +4,7 @@
 
 #include "fillet_body.h"
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,11 +21,19 @@ struct Later_blend {
   std::vector<Step> edges;
 };
 
+/// A corner with a ball at rest of which only the first branch could be blended: how it is to be finished.
+struct Unfinished_corner {
+  Point_3 center;
+  std::vector<Point_3> chain;   ///< across the first blend where its ball is at rest, from left to right
+  std::array<Point_3, 2> ends;  ///< of the rims of the first blend, where the branches left and right of it end now
+};
+
 /// Blends of one pass. Of several branches that meet in a corner without a ball at rest, one goes first; the others wait.
 struct Fillet_pass {
   Fillet_outcome outcome;
   std::vector<Later_blend> later;
   std::vector<Later_blend::Step> creases;  ///< edges that count as sharp for them, whatever their angle
+  std::vector<Unfinished_corner> corners;
   std::vector<std::pair<std::size_t, Edge_blend>> refused;  ///< by the place of their report
 };
 
@@ -32,6 +41,7 @@ struct Fillet_pass {
 struct Earlier_blends {
   std::vector<Edge> creases;  ///< edges that count as sharp
   std::vector<Face> faces;    ///< of the blends
+  std::vector<Unfinished_corner> corners;
 };
 
 /// Blends those edges of a body that need not wait; see `fillet_edges`. The faces of the bases that are kept come first

@@ -22,8 +22,8 @@ constexpr std::array<double, 9> first_shares{0.98, 0.9, 0.75, 0.5, 0.25, 0.125, 
 constexpr double near_radii = 1.012;
 
 // Tries in the search, over all curves, on a mesh of so many faces; at least the fewest.
-constexpr std::size_t tries_times_faces = 4000000;
-constexpr std::size_t fewest_tries = 16, most_tries = 150;
+constexpr std::size_t tries_times_faces = 2000000;
+constexpr std::size_t fewest_tries = 16, most_tries = 40;
 
 struct Passes {
   Fillet_outcome outcome;
@@ -51,7 +51,7 @@ Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends
       out = std::move(mesh);
       break;
     }
-    Earlier_blends earlier{find(pass.creases), {}};
+    Earlier_blends earlier{find(pass.creases), {}, pass.corners};
     for (const Face f : mesh.faces())
       if (ancestry.origins[f.idx()] == no_origin) earlier.faces.push_back(f);
     Fillet_body rest;

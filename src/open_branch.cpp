@@ -34,24 +34,29 @@ void end_at(std::vector<Ball_position>& positions, const Ball_position& last, in
   }
 }
 
-Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& corner, Halfedge into, int left,
+Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& corner, std::size_t place, int left,
                              int end) {
   const std::size_t n = corner.branches.size();
-  std::size_t k = 0;
-  const Blend_mesh& mesh = surface.mesh();
-  // Sector k lies right of branch k; the one left of it is that of the branch before.
-  while (k < n && std::find_if(corner.sectors[k].begin(), corner.sectors[k].end(), [&](Halfedge h) {
-                    return mesh.face(h) == mesh.face(mesh.opposite(into));
-                  }) == corner.sectors[k].end())
-    ++k;
   Ball_position p;
   p.fraction = end;
   p.center = corner.ball.center;
-  p.foot[left] = corner.ball.foot[(k + n - 1) % n];
-  p.foot[1 - left] = corner.ball.foot[k % n];
+  p.foot[left] = corner.ball.foot[(place + n - 1) % n];  // the faces right of the branch before
+  p.foot[1 - left] = corner.ball.foot[place];
   for (const int side : {0, 1}) p.contact[side] = surface.position(p.foot[side]);
   p.radius = (p.contact[0] - p.center).norm();
   return p;
+}
+
+/// Puts a ball position in its place among others, instead of those that are nearer to it than `least`.
+std::size_t insert_ball(std::vector<Ball_position>& positions, const Ball_position& ball, const Vec& ahead,
+                        double least) {
+  const auto height = [&](const Ball_position& p) { return (p.center - ball.center).dot(ahead); };
+  positions.erase(std::remove_if(positions.begin(), positions.end(),
+                                 [&](const Ball_position& p) { return std::abs(height(p)) < least; }),
+                  positions.end());
+  const auto after =
+      std::find_if(positions.begin(), positions.end(), [&](const Ball_position& p) { return height(p) > 0; });
+  return static_cast<std::size_t>(positions.insert(after, ball) - positions.begin());
 }
 
 /// A fading strip is closed where it is still wide enough to have facets.
@@ -119,10 +124,20 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
   const double facet = steps.finest * radius;
   for (const Branch_end& end : branch.ends) {
     if (end.kind == Branch_end::Kind::ball)
-      end_at(path.positions, ball_in_corner(surface, *branch.corner[end.end], end.into, end.left(), end.end), end.end,
+      end_at(path.positions,
+             ball_in_corner(surface, *branch.corner[end.end], branch.place[end.end], end.left(), end.end), end.end,
              end.direction, clear_of_facet * facet);
     if (end.kind == Branch_end::Kind::fade)
       end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
+  }
+  for (const Branch_end& end : branch.ends) {
+    if (!branch.through[end.end]) continue;
+    const Vec ahead = end.end == 1 ? end.direction : Vec(-end.direction);
+    branch.passed[end.end] = insert_ball(
+        path.positions,
+        ball_in_corner(surface, *branch.through[end.end], branch.place[end.end], end.left(), end.end), ahead,
+        clear_of_facet * facet);
+    if (end.end == 1 && branch.through[0]) branch.passed[0] = std::min(branch.passed[0], branch.passed[1]);
   }
   const Vec middle = (curve.points[(curve.points.size() - 1) / 2] + curve.points[curve.points.size() / 2]) / 2;
   if (path.positions.size() < 2) {

@@ -17,11 +17,12 @@ namespace cgal_blend {
 
 /// A corner at which blends of several branches meet in the ball that rests there.
 struct Blend_corner {
-  Vertex vertex;
+  static constexpr std::size_t no_branch = static_cast<std::size_t>(-1);
+
   std::vector<std::pair<std::size_t, int>> branches;  ///< branch and its end, counterclockwise seen from outside
-  std::vector<std::vector<Halfedge>> sectors;         ///< per branch: the faces right of it, as halfedges to the vertex
-  Corner_ball ball;
-  std::vector<Vertex> contact;                        ///< per sector
+  Corner_ball ball;                                   ///< per branch its foot on the faces right of it
+  std::vector<Vertex> contact;                        ///< of the feet
+  std::vector<Vertex> chain;  ///< where the first branch is a blend of an earlier pass: across that, from left to right
 };
 
 /// An open branch on its way to becoming a strip.
@@ -29,6 +30,9 @@ struct Open_branch {
   std::unique_ptr<Base_surface> surface;  ///< of both sides, extended beyond the ends
   std::array<Branch_end, 2> ends;
   std::array<const Blend_corner*, 2> corner{};
+  std::array<std::size_t, 2> place{};           ///< among the branches of the corner
+  std::array<const Blend_corner*, 2> through{};  ///< corners to be finished in a later pass: the ball at rest is on the way
+  std::array<std::size_t, 2> passed{};           ///< ball position at which it is; none if it is `size()`
   std::vector<double> rows;
   std::array<Strip_end, 2> strip_ends;
 };

@@ -234,10 +234,7 @@ INSTANTIATE_TEST_SUITE_P(Input, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"SelectionMalformed", "fillet box.off -o OUT --radius 1 --edges bad.selection.txt", 3, "line 3", "input_unreadable"}}), name_of);
 
 INSTANTIATE_TEST_SUITE_P(Blend, Cli_refusals, testing::ValuesIn(std::vector<Refusal>{
-  {"RadiusList", box_fillet + "--radius 0:1,0.5:2,1:1", 4, "not supported in this version", "not_supported"},
-  {"RadiusListOfABoolean", "union plate.off boss.off -o OUT --radius 0:2,0.5:3", 4, "not supported in this version", "not_supported"},
   {"RadiusListOfACoarseLevel", "union plate.off boss.off -o OUT --coarse 500 --radius 0:2,0.5:3", 4, "coarse level", "not_supported"},
-  {"BlendsRadiusList", "fillet box.off -o OUT --blends list_radius.json", 4, "not supported in this version", "not_supported"},
   {"NoSharpEdge", "fillet box.off -o OUT --radius 1 --sharp-angle 91", 4, "No edge", "no_edges_selected"},
   {"NoBlends", "fillet box.off -o OUT --blends none.json", 4, "none.json", "no_edges_selected"},
   {"NoEdge", "fillet box.off -o OUT --blends no_edge.json", 4, "between places 1 and 2", "no_such_edge"},
