@@ -78,7 +78,7 @@ TEST(Fillet_corners, OneCornerOfABox) {
   expect_change(b, -3 * spandrel(r) * (10 - r) - r * r * r * (1 - pi / 6), 4e-3);
 }
 
-// Fails: refused (blends_overlap) from r = 4.25 on, where the shortest edge is less than 1.4 r long.
+// Fails: refused (blends_overlap) from r = 4.25 on as the edges run here, but blended where they run the other way.
 TEST(Fillet_corners, DISABLED_LargeBallInACornerOfABox) {
   const Blend_mesh mesh = box({0, 0, 0}, {10, 8, 6});
   const auto corner = [](const Point_3& p) { return p == Point_3(0, 0, 0); };
@@ -411,7 +411,7 @@ TEST(Fillet_corners, ThreeRadiiAtACorner) {
     blend_three_radii(r);
 }
 
-// Fails: refused (blend_collides) as the mesh is numbered, but blended where vertices and faces come in another order.
+// Fails: refused (blend_collides) as the edges run here, but blended where they run the other way.
 TEST(Fillet_corners, DISABLED_TwoLargeRadiiAndASmallerAtACorner) { blend_three_radii({2, 2, 1}); }
 
 // A cylinder cut in half: arcs of many small edges meet straight ones.
@@ -775,7 +775,8 @@ TEST(Fillet_corners, HullsAtRandom) {
   std::cout << "hulls: " << done << " of " << tried << " blended" << counts << "\n";
 }
 
-// Fails for some: small balls along an edge between acute triangles are refused (no_rolling_ball, blends_overlap).
+// Fails for some: small balls along edges with acute faces are refused (no_rolling_ball) in one direction of the edge,
+// and blended in the other.
 TEST(Fillet_corners, DISABLED_OneEdgeOfAHull) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     std::mt19937 random(100 + seed);
