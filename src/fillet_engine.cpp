@@ -540,9 +540,7 @@ class Engine {
                                });
       if (!is_complete) {
         branch.through[end] = corner;
-        const End_view view = view_end(*branch.surface, into, end, job.curve.convex, radius);
-        if (!view.diagnosis.ok()) return view.diagnosis;
-        branch.ends[end] = view.end;
+        branch.ends[end] = view_end(*branch.surface, into, end, job.curve.convex, radius);
         continue;
       }
       Branch_end& e = branch.ends[end];

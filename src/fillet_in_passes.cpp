@@ -37,6 +37,7 @@ Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends
   Fillet_outcome& whole = result.outcome;
   if (!whole.ok() || pass.later.empty()) return result;
   Ancestry ancestry(whole);
+  std::vector<Later_blend::Step> creases;
   while (!pass.later.empty()) {
     Blend_mesh mesh = std::move(out);
     out.clear();
@@ -51,7 +52,8 @@ Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends
       out = std::move(mesh);
       break;
     }
-    Earlier_blends earlier{find(pass.creases), {}, pass.corners};
+    creases.insert(creases.end(), pass.creases.begin(), pass.creases.end());
+    Earlier_blends earlier{find(creases), {}, pass.corners};
     for (const Face f : mesh.faces())
       if (ancestry.origins[f.idx()] == no_origin) earlier.faces.push_back(f);
     Fillet_body rest;

@@ -343,10 +343,9 @@ class Strip_ender {
 
 }  // namespace
 
-End_view view_end(const Base_surface& surface, Halfedge into, int end, bool convex, double radius) {
+Branch_end view_end(const Base_surface& surface, Halfedge into, int end, bool convex, double radius) {
   const Blend_mesh& mesh = surface.mesh();
-  End_view view;
-  Branch_end& e = view.end;
+  Branch_end e;
   e.end = end;
   e.into = into;
   const Vec at = to_vec(mesh.point(mesh.target(into)));
@@ -357,12 +356,12 @@ End_view view_end(const Base_surface& surface, Halfedge into, int end, bool conv
   const int left = e.left();
   if (fan.creases.empty()) {
     e.kind = Branch_end::Kind::fade;
-    return view;
+    return e;
   }
   if (fan.creases.size() == 1) {
     e.kind = Branch_end::Kind::cap;
     e.inside = {true, true};
-    return view;
+    return e;
   }
   e.kind = Branch_end::Kind::faces;
   // creases point to the vertex; the one next to the left face has that face on its right.
@@ -374,9 +373,14 @@ End_view view_end(const Base_surface& surface, Halfedge into, int end, bool conv
   for (const Halfedge h : fan.creases)
     all_same = all_same && is_convex_edge(mesh.edge(h), mesh) == convex;
   e.fill = !all_same;
-  if (e.fill && fan.creases.size() > 2) view.diagnosis = refusal(Status::corner, at);
-  if (!e.fill && (e.inside[0] || e.inside[1])) view.diagnosis = refusal(Status::corner, at);
-  return view;
+  // Where it is not known how the faces beyond would go on, they stay as they are.
+  if (e.fill ? fan.creases.size() > 2 : e.inside[0] || e.inside[1]) {
+    e.kind = Branch_end::Kind::cap;
+    e.fill = false;
+    e.inside = {true, true};
+    e.border = {};
+  }
+  return e;
 }
 
 Strip_end_result end_strip(const Base_surface& surface, const Branch_end& branch_end,

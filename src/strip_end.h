@@ -19,7 +19,7 @@ namespace cgal_blend {
 struct Branch_end {
   enum class Kind {
     faces,  ///< other faces: the blend is cut by them, or by their extension
-    cap,    ///< its own crease, which stays sharp beyond: a flat face across it
+    cap,    ///< its own crease, which stays sharp beyond, or faces in no order that is known: a flat face across it
     fade,   ///< nothing: the crease has faded out
     ball    ///< other blends: the ball at rest in the corner
   };
@@ -39,12 +39,7 @@ struct Branch_end {
 
 /// Tells how a branch ends by the sharp edges around its end, none of which is to be blended.
 /// \param into the edge of the branch that points to the vertex
-/// `corner` in the diagnosis if the faces there are in no order that is known.
-struct End_view {
-  Diagnosis diagnosis;
-  Branch_end end;
-};
-[[nodiscard]] End_view view_end(const Base_surface& surface, Halfedge into, int end, bool convex, double radius);
+[[nodiscard]] Branch_end view_end(const Base_surface& surface, Halfedge into, int end, bool convex, double radius);
 
 /// The border of a strip at one end, from its left rim to its right one, a point per row.
 struct Strip_end {
