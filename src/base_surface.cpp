@@ -206,13 +206,15 @@ bool Base_surface::crossable(Halfedge h) const {
 
 std::vector<Halfedge> Base_surface::border_chain(Halfedge h, bool forward, const Vec& center, double distance) const {
   std::vector<Halfedge> chain{h};
+  std::unordered_set<Halfedge> seen{h};
   while (true) {
     const Vertex end = forward ? mesh_.target(h) : mesh_.source(h);
     if ((to_vec(mesh_.point(end)) - center).norm() > distance) break;
     const Halfedge start = h;
     h = forward ? mesh_.next(h) : mesh_.prev(h);
-    while (crossable(h) && h != mesh_.opposite(start)) h = forward ? mesh_.next(mesh_.opposite(h)) : mesh_.prev(mesh_.opposite(h));
-    if (h == mesh_.opposite(start) || h == chain.front()) break;
+    while (crossable(h) && h != mesh_.opposite(start))
+      h = forward ? mesh_.next(mesh_.opposite(h)) : mesh_.prev(mesh_.opposite(h));
+    if (h == mesh_.opposite(start) || !seen.insert(h).second) break;
     chain.push_back(h);
   }
   return chain;

@@ -132,7 +132,7 @@ Fillet_outcome blend_sharp(const Fillet_body& body, const Boolean_result& sharp,
   Fillet_outcome outcome = blend_body(body, {{sharp.curves}}, out, options);
   if (outcome.diagnosis.status == Status::corner && options.mode == Blend_mode::stitch) {
     Fillet_outcome other = blend_result(body, sharp, out, options);
-    if (other.ok()) return other;
+    if (other.ok() || other.diagnosis.max_radius) return other;
   }
   if (outcome.diagnosis.status != Status::result_invalid) return outcome;
   Blend_mesh unblended;

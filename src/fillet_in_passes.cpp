@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -21,9 +22,8 @@ namespace {
 constexpr std::array<double, 9> first_shares{0.98, 0.9, 0.75, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625};
 constexpr double near_radii = 1.012;
 
-// Tries in the search, over all curves, on a mesh of so many faces; at least the fewest.
-constexpr std::size_t tries_times_faces = 2000000;
-constexpr std::size_t fewest_tries = 16, most_tries = 40;
+// What the search may cost, over all curves: faces of the meshes that it goes through, and of the blends.
+constexpr double most_faces = 600000;
 
 struct Passes {
   Fillet_outcome outcome;
@@ -83,9 +83,7 @@ Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends
 class Radius_search {
  public:
   Radius_search(const Fillet_body& body, const Fillet_options& options)
-      : body_(body), options_(options),
-        tries_(std::clamp<std::size_t>(tries_times_faces / std::max<std::size_t>(1, body.mesh->number_of_faces()),
-                                       fewest_tries, most_tries)) {
+      : body_(body), options_(options) {
     options_.keep_going = false;
     options_.progress = nullptr;
     progress_ = options.progress;
@@ -100,7 +98,7 @@ class Radius_search {
   std::optional<double> operator()(const std::vector<Edge_blend>& blends) {
     double works = 0, fails = 1;
     for (const double share : first_shares) {
-      if (!may_try()) return std::nullopt;
+      if (!may_try(blends, share)) return std::nullopt;
       if (fits(blends, share)) {
         works = share;
         break;
@@ -108,7 +106,7 @@ class Radius_search {
       fails = share;
     }
     if (works == 0) return std::nullopt;
-    while (fails > near_radii * works && may_try()) {
+    while (fails > near_radii * works && may_try(blends, works)) {
       const double middle = (works + fails) / 2;
       (fits(blends, middle) ? works : fails) = middle;
     }
@@ -116,10 +114,20 @@ class Radius_search {
   }
 
  private:
-  bool may_try() { return tries_ > 0 && (!progress_ || progress_(1)); }
+  bool may_try(const std::vector<Edge_blend>& blends, double share) {
+    faces_left_ -= static_cast<double>(body_.mesh->number_of_faces());
+    const double facet = 2 * std::sqrt(2 * options_.chord_tolerance);  // of the arc, in radii
+    for (const Edge_blend& blend : blends) {
+      double length = 0;
+      for (const Edge e : blend.edges)
+        length += std::sqrt(CGAL::squared_distance(body_.mesh->point(body_.mesh->vertex(e, 0)),
+                                                   body_.mesh->point(body_.mesh->vertex(e, 1))));
+      faces_left_ -= length / (6 * facet * share * radius_law_of(blend, options_).largest()) * 4 / facet;
+    }
+    return faces_left_ > 0 && (!progress_ || progress_(1));
+  }
 
   bool fits(std::vector<Edge_blend> blends, double share) {
-    --tries_;
     for (Edge_blend& blend : blends) {
       const Radius_law law = radius_law_of(blend, options_);
       blend.radius = share * law.largest();
@@ -134,7 +142,7 @@ class Radius_search {
 
   const Fillet_body& body_;
   Fillet_options options_;
-  std::size_t tries_;
+  double faces_left_ = most_faces;
   std::function<bool(double)> progress_;
 };
 
