@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the creases of a mesh and blends those that close; says what it left.
+// Finds the creases of a mesh and blends them, corners included; says what it left sharp.
 //   fillet_creases IN OUT RADIUS [ANGLE]
 #include <cgal_blend/creases.h>
 #include <cgal_blend/curve_network.h>
@@ -7,6 +7,7 @@
 #include <cgal_blend/mesh_io.h>
 #include <cgal_blend/validate.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <vector>
@@ -28,22 +29,18 @@ int run(const char* in, const char* out, double radius, double angle) {
   }
   auto is_crease = mesh.add_property_map<Edge, bool>("e:is_crease", false).first;
   detect_creases(mesh, angle, is_crease);
-  const Curve_network<Blend_mesh> network = make_curve_network(mesh, edges_marked(mesh, is_crease));
+  const std::vector<Edge> creases = edges_marked(mesh, is_crease);
+  const Curve_network<Blend_mesh> network = make_curve_network(mesh, creases);
 
-  std::vector<Edge_blend> blends;  // one per closed branch, all with the radius of the options
-  for (const auto& branch : network.branches) {
-    if (!branch.closed()) continue;
-    blends.emplace_back();
-    for (Halfedge h : branch.halfedges) blends.back().edges.push_back(mesh.edge(h));
-  }
-  std::cout << blends.size() << " closed curves, " << network.branches.size() - blends.size()
-            << " open ones left sharp\n";
+  const auto closed = std::count_if(network.branches.begin(), network.branches.end(),
+                                    [](const auto& branch) { return branch.closed(); });
+  std::cout << network.branches.size() << " curves, " << closed << " of them closed\n";
 
   Fillet_options options;
   options.radius = radius;
   options.keep_going = true;
   Blend_mesh blended;
-  const auto outcome = fillet_edges(mesh, blends, blended, options);
+  const auto outcome = fillet_edges(mesh, {Edge_blend{creases}}, blended, options);
   for (const Blend_report& blend : outcome.blends)
     std::cout << "curve of " << blend.edges << " edges: " << message(blend.diagnosis) << "\n";
   if (!outcome.ok()) {

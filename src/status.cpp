@@ -56,9 +56,9 @@ Wording wording(Status status) noexcept {
     case S::no_such_edge: return {"no_such_edge", "The mesh has no such edge", C::blend};
     case S::no_edges_selected: return {"no_edges_selected", "No edge to blend was found", C::blend};
     case S::open_branch:
-      return {"open_branch", "The curve to blend ends where the blend cannot run out; select its continuation too",
-              C::blend};
-    case S::corner: return {"corner", "Blends meet in a corner of a kind that is not supported", C::blend};
+      return {"open_branch", "The curve to blend has ends, and a blend of this kind needs a closed curve", C::blend};
+    case S::corner:
+      return {"corner", "A blend ends, or blends meet, in a corner of a kind that is not supported", C::blend};
     case S::edge_is_smooth:
       return {"edge_is_smooth", "The edge is smooth already: its faces hardly meet at an angle", C::blend};
     case S::mixed_convexity:

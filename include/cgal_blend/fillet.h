@@ -20,13 +20,15 @@ namespace cgal_blend {
 /// How a blend becomes part of the mesh.
 enum class Blend_mode {
   stitch,  ///< cut along the linkage curves, with the tessellated blend sewn in: any mesh, exact linkage curves
-  map      ///< connectivity kept, vertices moved onto the blend: as fine as the mesh is between the linkage curves
+  map      ///< connectivity kept, vertices moved onto the blend: as fine as the mesh is between the linkage curves;
+           ///< closed curves only
 };
 
 /// Options of the rolling-ball blends; one set for all curves of a call.
 struct Fillet_options {
   double radius = 0;  ///< ball radius, length units, > 0
-  /// Radius that varies along each curve, instead of `radius`. Where s = 0 lies: see `Edge_blend_of::start`.
+  /// Radius that varies along each curve, open or closed, instead of `radius`. Where s = 0 lies: see
+  /// `Edge_blend_of::start`. Not with a coarse level.
   std::optional<Radius_law> law;
   Profile profile;  ///< cross-section; the arc of the ball if not set
   Blend_mode mode = Blend_mode::stitch;
@@ -39,7 +41,9 @@ struct Fillet_options {
       0;  ///< divide steps of the ball whose chord height over chord length is larger, in [0, 1]; 0: by tolerance
   double smooth_angle = 40;  ///< faces whose normals differ by less belong to one smooth surface, degrees in (0, 180)
   bool mend_spine = true;   ///< where the spine crosses itself, cut the loop off and join the ends, instead of refusing
-  bool keep_going = false;  ///< leave curves that cannot be blended sharp instead of refusing all
+  /// Leave curves that cannot be blended sharp instead of refusing all; also those that wait for them at a corner, if a
+  /// whole pass fails.
+  bool keep_going = false;
 
   /// Called with a fraction in [0,1] from time to time; return false to cancel.
   std::function<bool(double)> progress;
@@ -47,10 +51,15 @@ struct Fillet_options {
 
 enum class Boolean_operation { union_, intersection, difference };
 
-/// What became of one blending curve.
+/// What became of one blending curve: a closed one, or a branch between ends and corners.
 struct Blend_report {
+  /// `max_radius` is found by trial with the radii of all blends of the call in proportion, so that it works for all of
+  /// them together; with `keep_going` for this one alone. Where success ends at some radius, it is at most 1.2 % less,
+  /// unless the number of trials was used up. Where the radius varies it is that of the largest.
   Diagnosis diagnosis;
-  std::size_t edges = 0;  ///< edges of the blending curve
+  /// Edges of the blending curve. In a later pass they are those of the mesh by then: the curve may run on along the
+  /// end of an earlier blend.
+  std::size_t edges = 0;
   bool closed = true;
   bool convex = false;      ///< true: material removed; false: material added
   double radius = 0;        ///< the largest where it varies
@@ -75,10 +84,12 @@ inline constexpr std::uint32_t no_origin = std::numeric_limits<std::uint32_t>::m
 
 /// A blend of one mesh as the engines produce it.
 struct Fillet_outcome {
-  Diagnosis diagnosis;               ///< `ok`, or the first refusal; then the output mesh is left empty
-  std::vector<Blend_report> blends;  ///< one per blending curve, in the order of the curves
-  std::vector<Face> blend_faces;     ///< faces of the transition surfaces
-  std::vector<Face> changed_faces;   ///< every face that is not a face of the input, blend faces included
+  Diagnosis diagnosis;  ///< `ok`, or the first refusal; then the output mesh is left empty
+  /// One per blending curve, in the order in which they are made: those that wait at a corner follow those that they
+  /// wait for. Curves that have become one over the end of an earlier blend have one report.
+  std::vector<Blend_report> blends;
+  std::vector<Face> blend_faces;    ///< faces of the transition surfaces
+  std::vector<Face> changed_faces;  ///< every face that is not a face of the input, blend faces included
   std::size_t kept_faces =
       0;  ///< faces bit-identical to faces of the input, order kept; they come first, but not in map mode
   std::vector<std::uint32_t>
@@ -117,8 +128,11 @@ using Part = Part_of<Blend_mesh>;
 /// The engines, for input that is known to be valid (`validate`); the overloads of fillet_graphs.h check it first.
 namespace unchecked {
 
-/// Blends edges of a mesh with a rolling ball. With the sharp profile, edges along the middle of a round are taken for
-/// the round itself: the radius must be larger than the round's, and the round is replaced by a sharp edge.
+/// Blends edges of a mesh with a rolling ball. Curves may be closed, end at faces or at nothing, and meet in corners:
+/// there the ball comes to rest, or, where no ball of one radius touches all faces from one side, the blends are made
+/// in an order and later ones roll over the ends of earlier ones. With the sharp profile, closed chains of edges along the
+/// middle of a round are taken for the round itself: the radius must be larger than the round's, and the round is
+/// replaced by a sharp edge.
 /// \param mesh closed, 2-manifold, outward oriented, without self-intersections: checked by the caller (`validate`)
 /// \param out receives the result; vertices and faces of the input that are kept come first, in their order
 /// Refuses by name in the outcome; never throws for bad data, never changes `mesh`.
