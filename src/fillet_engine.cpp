@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -206,6 +207,13 @@ class Engine {
     std::map<Vertex, std::size_t> first;  // corners without a ball at rest: the branch that goes first
     for (const auto& [v, node] : nodes_) {
       if (node.size() == 1 || corner_at(v, surface)) continue;
+      if (const char* reason = no_order(node, surface)) {
+        for (const auto& [i, end] : node) {
+          jobs_[i].report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
+          jobs_[i].report.diagnosis.detail = reason;
+        }
+        continue;
+      }
       std::size_t convex = 0;
       for (const auto& [i, end] : node) convex += jobs_[i].curve.convex ? 1 : 0;
       const bool odd = 2 * convex < node.size();  // the convexity that is rarer there; concave if neither is
@@ -250,6 +258,20 @@ class Engine {
     for (Job& job : jobs_)
       if (job.waits && job.report.diagnosis.ok())
         job.report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(job.ends[0])));
+  }
+
+  /// Why the blends at a corner without a ball at rest cannot be made one after the other; null if they can.
+  [[nodiscard]] const char* no_order(const std::vector<std::pair<std::size_t, int>>& node,
+                                     const Base_surface& surface) const {
+    if (node.size() > 3) return "no ball touches all of the faces there";
+    const Blend_mesh& mesh = *body_.mesh;
+    if (node.size() == 2) {
+      const Halfedge in = into(node[0]), out = mesh.opposite(into(node[1]));
+      if (surface.fan(in) == surface.fan(mesh.prev(out)) &&
+          surface.fan(mesh.prev(mesh.opposite(in))) == surface.fan(mesh.opposite(out)))
+        return "the blends differ along one smooth curve; give it one radius that varies";
+    }
+    return nullptr;
   }
 
   [[nodiscard]] Halfedge into(const std::pair<std::size_t, int>& branch) const {
@@ -691,6 +713,37 @@ class Engine {
 
   // Assembly of what waits.
 
+  /// Joins two branches over the end of a blend between them. Where their radii differ, the radius changes on the way.
+  static void join_over(const Point_3& corner, const std::vector<Later_blend::Step>& over,
+                        const std::array<std::reference_wrapper<Later_blend>, 2>& both) {
+    Later_blend &a = both[0], &b = both[1];
+    if (a.edges.empty() || b.edges.empty()) return;  // joined already, to each other or to others
+    if (a.law || b.law || a.radius == b.radius) {
+      a.edges.insert(a.edges.end(), over.begin(), over.end());
+      return;
+    }
+    const auto touches = [&](const Later_blend::Step& s) { return s.first == corner || s.second == corner; };
+    const auto turn = [](std::vector<Later_blend::Step>& steps) {
+      std::reverse(steps.begin(), steps.end());
+      for (Later_blend::Step& s : steps) std::swap(s.first, s.second);
+    };
+    if (touches(a.edges.front()) && !touches(a.edges.back())) turn(a.edges);
+    if (touches(b.edges.back()) && !touches(b.edges.front())) turn(b.edges);
+    const auto length = [&](const std::vector<Later_blend::Step>& steps) {
+      double sum = 0;
+      for (const Later_blend::Step& s : steps)
+        if (!touches(s)) sum += std::sqrt(CGAL::squared_distance(s.first, s.second));
+      return sum;
+    };
+    const double first = length(a.edges), middle = length(over), total = first + middle + length(b.edges);
+    if (!(first > 0 && middle > 0 && total > first + middle)) return;
+    a.law = Piecewise_radius(
+        {{0, a.radius}, {first / total, a.radius}, {(first + middle) / total, b.radius}, {1, b.radius}});
+    a.edges.insert(a.edges.end(), over.begin(), over.end());
+    a.edges.insert(a.edges.end(), b.edges.begin(), b.edges.end());
+    b.edges.clear();
+  }
+
   /// The corner that a blend has passed, to be finished by the branches left and right of it.
   void add_unfinished(const Blend_mesh& work, std::size_t i, int end, const Strip_border& border,
                       const std::vector<Rim>& rims, Assembly& result) const {
@@ -766,14 +819,15 @@ class Engine {
           add_unfinished(work, i, end, both[end].border, rims, result);
         } else if (waiting[0] && waiting[1]) {  // they go on into each other over the end of this one
           const Strip_border& border = both[end].border;
-          Later_blend& later = result.later[place[*waiting[0]]];
           std::vector<Vertex> chain{border.hit.front()};
           for (std::size_t k = 0; k + 1 < border.hit.size(); ++k) {
             chain.insert(chain.end(), border.between[k].begin(), border.between[k].end());
             chain.push_back(border.hit[k + 1]);
           }
+          std::vector<Later_blend::Step> over;
           for (std::size_t k = 0; k + 1 < chain.size(); ++k)
-            if (chain[k] != chain[k + 1]) later.edges.push_back(step(chain[k], chain[k + 1]));
+            if (chain[k] != chain[k + 1]) over.push_back(step(chain[k], chain[k + 1]));
+          join_over(work.point(jobs_[i].ends[end]), over, {result.later[place[*waiting[0]]], result.later[place[*waiting[1]]]});
         } else if (waiting[0] || waiting[1]) {  // a mitre: this one's surface cuts the other's
           const int side = waiting[0] ? 0 : 1;
           if (jobs_[*waiting[side]].curve.convex != jobs_[i].curve.convex) continue;

@@ -60,6 +60,9 @@ Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends
     rest.mesh = rest.base[0] = rest.base[1] = &mesh;
     pass = fillet_pass(rest, next, earlier, out, options, thorough);
     add(whole.times, pass.outcome.times);
+    if (!pass.outcome.ok())  // what could have been made is not made either
+      for (Blend_report& report : pass.outcome.blends)
+        if (report.diagnosis.ok()) report.diagnosis = pass.outcome.diagnosis;
     whole.blends.insert(whole.blends.end(), pass.outcome.blends.begin(), pass.outcome.blends.end());
     if (!pass.outcome.ok()) {
       if (options.keep_going && pass.outcome.diagnosis.status != Status::cancelled) {
