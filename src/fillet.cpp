@@ -5,6 +5,7 @@
 #include "boolean.h"
 #include "edge_finder.h"
 #include "fillet_coarse.h"
+#include "fillet_flaws.h"
 #include "fillet_in_passes.h"
 #include "near_faces.h"
 #include "sharp_mesh.h"
@@ -32,6 +33,23 @@ constexpr double largest_profile = 1000;
 Fillet_outcome blend_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                           const Fillet_options& options) {
   return options.coarse_faces > 0 ? fillet_coarse(body, blends, out, options) : fillet_in_passes(body, blends, out, options);
+}
+
+/// Names a flaw of the input that rules out to blend.
+Diagnosis flaw_before_blend(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
+                            const std::vector<Edge_blend>& blends, const Fillet_options& options) {
+  if (flaws.empty()) return {};
+  if (options.coarse_faces > 0) return flaw_diagnosis(mesh, flaws.front(), "where the coarse level would be");
+  return flaw_at_edges(mesh, flaws, blends);
+}
+
+/// Names a flaw of the input that a blend met, or may have failed at.
+Diagnosis flaw_after_blend(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
+                           const std::vector<Edge_blend>& blends, const Fillet_options& options,
+                           const Fillet_outcome& outcome) {
+  if (flaws.empty()) return {};
+  return outcome.ok() ? flaw_in_changes(mesh, flaws, outcome)
+                      : flaw_near_refusal(mesh, flaws, blends, options, outcome.diagnosis);
 }
 
 /// A profile must be made of numbers, whatever the wedge.
@@ -222,6 +240,11 @@ namespace unchecked {
 
 Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                             const Fillet_options& options) {
+  return fillet_edges(mesh, blends, std::vector<Flaw>{}, out, options);
+}
+
+Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends,
+                            const std::vector<Flaw>& flaws, Blend_mesh& out, const Fillet_options& options) {
   Fillet_outcome outcome;
   outcome.diagnosis = check_options(options);
   if (!outcome.diagnosis.ok()) return outcome;
@@ -230,9 +253,16 @@ Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend
       outcome.diagnosis = {Status::invalid_parameter, "the profile of a blend must be finite", {}, {}};
       return outcome;
     }
+  outcome.diagnosis = flaw_before_blend(mesh, flaws, blends, options);
+  if (!outcome.ok()) return outcome;
   Fillet_body body;
   body.mesh = body.base[0] = body.base[1] = &mesh;
-  return blend_body(body, blends, out, options);
+  outcome = blend_body(body, blends, out, options);
+  const Diagnosis flaw = flaw_after_blend(mesh, flaws, blends, options, outcome);
+  if (flaw.ok()) return outcome;
+  outcome.diagnosis = flaw;
+  out.clear();
+  return outcome;
 }
 
 Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& second, Boolean_operation operation,
