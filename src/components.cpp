@@ -106,10 +106,13 @@ std::vector<int> nesting_depths(const Blend_mesh& mesh, const std::vector<Piece>
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const Piece& outer = pieces[k];
     std::vector<std::size_t> candidates;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (i == k || is_vouched_for(i, doubts) || !contains(outer.box, pieces[i].box)) continue;
-      if (doubts.crossing.count({static_cast<std::uint32_t>(std::min(i, k)), static_cast<std::uint32_t>(std::max(i, k))}) == 0) candidates.push_back(i);
-    }
+    const auto crosses = [&](std::size_t i) {
+      const auto [low, high] = std::minmax(i, k);
+      return doubts.crossing.count({static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high)}) != 0;
+    };
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (i != k && !is_vouched_for(i, doubts) && contains(outer.box, pieces[i].box) && !crosses(i))
+        candidates.push_back(i);
     if (candidates.empty() || outer.faces.empty()) continue;
     Side_test::AABB_tree tree(outer.faces.begin(), outer.faces.end(), mesh);
     const Side_test side(tree);

@@ -292,7 +292,8 @@ inline Blend_mesh box_with_folded_spike() {
   points.emplace_back(0.5, 1.5, 4.5);
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t j = (i + 1) % 4;
-    triangles.insert(triangles.end(), {{foot[i], foot[j], head[j]}, {foot[i], head[j], head[i]}, {head[i], head[j], tip}});
+    triangles.insert(triangles.end(),
+                     {{foot[i], foot[j], head[j]}, {foot[i], head[j], head[i]}, {head[i], head[j], tip}});
   }
   return mesh_of(points, triangles);
 }
