@@ -8,6 +8,7 @@
 #include "fillet_flaws.h"
 #include "fillet_in_passes.h"
 #include "near_faces.h"
+#include "propagate_chain.h"
 #include "sharp_mesh.h"
 #include "snap_to_planes.h"
 #include "stopwatch.h"
@@ -243,16 +244,18 @@ Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend
   return fillet_edges(mesh, blends, std::vector<Flaw>{}, out, options);
 }
 
-Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends,
+Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& chosen,
                             const std::vector<Flaw>& flaws, Blend_mesh& out, const Fillet_options& options) {
   Fillet_outcome outcome;
   outcome.diagnosis = check_options(options);
   if (!outcome.diagnosis.ok()) return outcome;
-  for (const Edge_blend& blend : blends)
+  for (const Edge_blend& blend : chosen)
     if (blend.profile && !is_finite(*blend.profile)) {
       outcome.diagnosis = {Status::invalid_parameter, "the profile of a blend must be finite", {}, {}};
       return outcome;
     }
+  const std::vector<Edge_blend> blends =
+      options.propagate ? propagate_chains(mesh, chosen, options.smooth_angle) : chosen;
   outcome.diagnosis = flaw_before_blend(mesh, flaws, blends, options);
   if (!outcome.ok()) return outcome;
   Fillet_body body;

@@ -129,6 +129,18 @@ TEST_F(Cli, FlawsAreCountedAndStay) {
   EXPECT_EQ(json("report.json")["input"]["self_intersections"], 0);
 }
 
+TEST_F(Cli, OneEdgeStandsForTheRimIfItIsPropagated) {
+  write("rim.json", R"({"blends": [{"polyline": [)" + rim_of_cylinder() + "]}]}");
+  write("edge.json", R"({"blends": [{"polyline": [64, 65]}]})");
+  ASSERT_EQ(run("fillet cylinder.off --blends rim.json --radius 2 -o rim.off").exit, 0);
+  const Run r = run("fillet cylinder.off --blends edge.json --radius 2 --propagate on -o out.off");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  EXPECT_EQ(bytes("out.off"), bytes("rim.off"));
+  const Run off = run("fillet cylinder.off --blends edge.json --radius 2 --propagate off -o other.off");
+  EXPECT_EQ(off.err, run("fillet cylinder.off --blends edge.json --radius 2 -o other.off").err);
+  expect_valid("out.off");
+}
+
 TEST_F(Cli, ReportOnStandardOutputIsAlone) {
   const Run r = run("difference a.off b.off -o out.off --report -");
   ASSERT_EQ(r.exit, 0) << r.err;

@@ -144,6 +144,8 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"CoarseOfUnknownMode", box_fillet + "--radius 1 --mode stitsch --coarse 100", 2, "'stitsch'", "invalid_parameter"},
   {"HalfAFace", box_fillet + "--radius 1 --coarse 0.5", 2, "whole number", ""},
   {"EndlessProfile", "union plate.off boss.off -o OUT --radius 1 --profile hermite:1e308,1e308", 2, "profile", "invalid_parameter"},
+  {"PropagateMaybe", box_fillet + "--radius 0.1 --propagate maybe", 2, "'maybe' is neither on nor off", ""},
+  {"PropagateABoolean", "union box.off overlap.off -o OUT --radius 0.1 --propagate on", 2, "--propagate", ""},
   {"FlawsOfABoolean", "union crossing.off box.off -o OUT --accept-flaws", 2, "--accept-flaws", ""},
   {"UnknownMode", box_fillet + "--radius 1 --mode weave", 2, "'weave'", "invalid_parameter"},
   {"NoEdgesNamed", "fillet box.off -o OUT --radius 1", 2, "exactly one", "invalid_parameter"},

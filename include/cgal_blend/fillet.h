@@ -45,6 +45,11 @@ struct Fillet_options {
   /// is as valid as ever. A flaw that a blend meets is refused by its name. For the check of the input; operands of
   /// booleans may have none, as corefinement has no answer for them.
   bool accept_flaws = false;
+  /// Edges chosen for a blend are continued over those that go on smoothly from their ends: the only further crease there
+  /// by `smooth_angle`, bent to the same side, turning by less than 25 degrees. Off by default, so that what is blended is
+  /// what was chosen; on, one edge of a rim stands for the rim. Curves of booleans are whole anyway. A law runs along the
+  /// curve as it has grown, and its start at an open end moves along with the end.
+  bool propagate = false;
 
   /// Called with a fraction in [0,1] from time to time; return false to cancel.
   std::function<bool(double)> progress;
