@@ -36,21 +36,31 @@ Fillet_outcome blend_body(const Fillet_body& body, const std::vector<Edge_blend>
   return options.coarse_faces > 0 ? fillet_coarse(body, blends, out, options) : fillet_in_passes(body, blends, out, options);
 }
 
-/// Names a flaw of the input that rules out to blend.
-Diagnosis flaw_before_blend(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
-                            const std::vector<Edge_blend>& blends, const Fillet_options& options) {
-  if (flaws.empty()) return {};
-  if (options.coarse_faces > 0) return flaw_diagnosis(mesh, flaws.front(), "where the coarse level would be");
-  return flaw_at_edges(mesh, flaws, blends);
-}
-
-/// Names a flaw of the input that a blend met, or may have failed at.
-Diagnosis flaw_after_blend(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
-                           const std::vector<Edge_blend>& blends, const Fillet_options& options,
-                           const Fillet_outcome& outcome) {
-  if (flaws.empty()) return {};
-  return outcome.ok() ? flaw_in_changes(mesh, flaws, outcome)
-                      : flaw_near_refusal(mesh, flaws, blends, options, outcome.diagnosis);
+/// Blends edges of a mesh whose flaws must not be met.
+Fillet_outcome blend_beside_flaws(const Fillet_body& body, std::vector<Edge_blend> blends,
+                                  const std::vector<Flaw>& flaws, Blend_mesh& out, const Fillet_options& options) {
+  const Blend_mesh& mesh = *body.mesh;
+  Fillet_outcome outcome;
+  std::vector<Blend_report> left_sharp;
+  if (options.coarse_faces > 0) {
+    outcome.diagnosis = flaw_diagnosis(mesh, flaws.front(), "where the coarse level would be");
+  } else if (options.keep_going) {
+    left_sharp = leave_out_flawed_curves(mesh, flaws, blends, options);
+    if (blends.empty() && !left_sharp.empty()) outcome.diagnosis = left_sharp.front().diagnosis;
+  } else {
+    outcome.diagnosis = flaw_at_edges(mesh, flaws, blends);
+  }
+  if (outcome.ok()) {
+    outcome = blend_body(body, blends, out, options);
+    const Diagnosis flaw = outcome.ok() ? flaw_in_changes(mesh, flaws, outcome)
+                                        : flaw_near_refusal(mesh, flaws, blends, options, outcome.diagnosis);
+    if (!flaw.ok()) {
+      outcome.diagnosis = flaw;
+      out.clear();
+    }
+  }
+  outcome.blends.insert(outcome.blends.end(), left_sharp.begin(), left_sharp.end());
+  return outcome;
 }
 
 /// A profile must be made of numbers, whatever the wedge.
@@ -256,16 +266,9 @@ Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend
     }
   const std::vector<Edge_blend> blends =
       options.propagate ? propagate_chains(mesh, chosen, options.smooth_angle) : chosen;
-  outcome.diagnosis = flaw_before_blend(mesh, flaws, blends, options);
-  if (!outcome.ok()) return outcome;
   Fillet_body body;
   body.mesh = body.base[0] = body.base[1] = &mesh;
-  outcome = blend_body(body, blends, out, options);
-  const Diagnosis flaw = flaw_after_blend(mesh, flaws, blends, options, outcome);
-  if (flaw.ok()) return outcome;
-  outcome.diagnosis = flaw;
-  out.clear();
-  return outcome;
+  return flaws.empty() ? blend_body(body, blends, out, options) : blend_beside_flaws(body, blends, flaws, out, options);
 }
 
 Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& second, Boolean_operation operation,

@@ -4,7 +4,11 @@
 #include "fillet_radius.h"
 #include "mesh_checks.h"
 
+#include <cgal_blend/creases.h>
+#include <cgal_blend/curve_network.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace cgal_blend {
 
@@ -76,6 +80,37 @@ Diagnosis flaw_at_edges(const Blend_mesh& mesh, const std::vector<Flaw>& flaws, 
     const auto corners = mesh.vertices_around_face(mesh.halfedge(f));
     return std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return on_edge[v.idx()]; });
   });
+}
+
+std::vector<Blend_report> leave_out_flawed_curves(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
+                                                  std::vector<Edge_blend>& blends, const Fillet_options& options) {
+  std::vector<Blend_report> left_out;
+  std::vector<Edge_blend> others;
+  for (const Edge_blend& blend : blends) {
+    Edge_blend rest = blend;
+    rest.edges.clear();
+    bool has_start = false;
+    for (const Branch<Blend_mesh>& branch : make_curve_network(mesh, blend.edges).branches) {
+      Edge_blend curve;
+      for (const Halfedge h : branch.halfedges) curve.edges.push_back(mesh.edge(h));
+      if (Diagnosis flaw = flaw_at_edges(mesh, flaws, {curve}); !flaw.ok()) {
+        Blend_report& report = left_out.emplace_back();
+        report.diagnosis = std::move(flaw);
+        report.edges = curve.edges.size();
+        report.closed = branch.closed();
+        report.convex = is_convex_edge(curve.edges.front(), mesh);
+        report.radius = radius_law_of(blend, options).largest();
+        continue;
+      }
+      rest.edges.insert(rest.edges.end(), curve.edges.begin(), curve.edges.end());
+      for (const Halfedge h : branch.halfedges)
+        has_start = has_start || mesh.source(h) == blend.start || mesh.target(h) == blend.start;
+    }
+    if (!has_start) rest.start.reset();
+    if (!rest.edges.empty()) others.push_back(std::move(rest));
+  }
+  blends = std::move(others);
+  return left_out;
 }
 
 Diagnosis flaw_in_changes(const Blend_mesh& mesh, const std::vector<Flaw>& flaws, const Fillet_outcome& outcome) {

@@ -20,6 +20,12 @@ namespace cgal_blend {
 [[nodiscard]] Diagnosis flaw_at_edges(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
                                       const std::vector<Edge_blend>& blends);
 
+/// Takes the curves that have such an edge out of the blends, and blends without edges altogether.
+/// \returns the reports of the curves that are gone, refused for their flaws
+[[nodiscard]] std::vector<Blend_report> leave_out_flawed_curves(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
+                                                                std::vector<Edge_blend>& blends,
+                                                                const Fillet_options& options);
+
 /// Names a flaw of a face that a blend of `mesh` has not kept.
 [[nodiscard]] Diagnosis flaw_in_changes(const Blend_mesh& mesh, const std::vector<Flaw>& flaws,
                                         const Fillet_outcome& outcome);

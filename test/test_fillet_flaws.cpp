@@ -107,6 +107,29 @@ TEST(Fillet_flaws, Where_a_blend_meets_one_it_is_named_with_its_place) {
   }
 }
 
+TEST(Fillet_flaws, Keep_going_leaves_curves_at_a_flaw_sharp) {
+  const Blend_mesh flawed = box_with_folded_spike();
+  Fillet_options options = accepting(0.1);
+  options.keep_going = true;
+  Blend_mesh out, expected;
+  std::vector<Edge> edges = edges_along(flawed, foot);
+  const auto none = fillet_edges(flawed, {{edges, 0}}, out, options);
+  EXPECT_EQ(none.diagnosis.status, Status::input_self_intersecting);
+  ASSERT_EQ(none.blends.size(), 1u);
+  EXPECT_EQ(none.blends[0].diagnosis.status, Status::input_self_intersecting);
+  for (const Edge e : edges_along(flawed, bottom_rim)) edges.push_back(e);
+  const auto some = fillet_edges(flawed, {{edges, 0}}, out, options);
+  ASSERT_TRUE(some.ok()) << message(some.diagnosis);
+  ASSERT_TRUE(fillet_edges(clean, {{edges_along(clean, bottom_rim), 0}}, expected, options).ok());
+  EXPECT_NEAR(volume_of(out) - volume_of(flawed), volume_of(expected) - 64, 1e-12);
+  const Blend_report& last = some.blends.back();
+  EXPECT_EQ(last.diagnosis.status, Status::input_self_intersecting);
+  EXPECT_EQ(last.edges, 4u);
+  EXPECT_TRUE(last.closed);
+  EXPECT_FALSE(last.convex);
+  EXPECT_EQ(last.radius, 0.1);
+}
+
 TEST(Fillet_flaws, Degenerate_faces_likewise) {
   const Blend_mesh far = with_needle(clean, {1, 1, 4}, {2, 1, 4}), near = with_needle(clean, {1, 0, 0}, {1, 1, 0}),
                    across = with_needle(clean, {1, 0, 0}, {2, 0, 0});

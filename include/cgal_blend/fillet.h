@@ -138,7 +138,7 @@ namespace unchecked {
 
 /// The same for a mesh with flaws, all of which are told; in stitching or map mode without a coarse level.
 /// \param flaws as `validate` lists them. Faces named there are kept, or the blend is refused with the status of the
-///        flaw and its place
+///        flaw and its place. `keep_going` leaves curves sharp whose edges touch one; their reports come last
 [[nodiscard]] Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends,
                                           const std::vector<Flaw>& flaws, Blend_mesh& out,
                                           const Fillet_options& options);
