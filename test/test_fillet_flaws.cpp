@@ -191,7 +191,13 @@ TEST(Fillet_flaws, Map_mode_likewise) {
   ASSERT_TRUE(got.ok()) << message(got.diagnosis);
   EXPECT_EQ(validate(out).self_intersections, got.accepted_flaws);
   ASSERT_TRUE(fillet_edges(body, {{foot_of_boss(body), 0}}, expected, options).ok());
-  EXPECT_TRUE(identical(out, side_by_side(expected, crossing)));
+  const Blend_mesh both = side_by_side(expected, crossing);
+  ASSERT_TRUE(same_connectivity(out, both));
+  const auto change = volume_of(expected) - volume_of(body);
+  EXPECT_NEAR(volume_of(out) - volume_of(flawed), change, 0.01 * change)
+      << "where the ring is cut is a matter of rounding";
+  for (std::uint32_t v = body.number_of_vertices(); v < flawed.number_of_vertices(); ++v)
+    EXPECT_EQ(out.point(Vertex(v)), flawed.point(Vertex(v)));
   options.coarse_faces = 500;
   EXPECT_EQ(fillet_edges(flawed, {{foot_of_boss(flawed), 0}}, out, options).diagnosis.status,
             Status::input_self_intersecting);
