@@ -3,6 +3,7 @@
 
 #include <CGAL/Side_of_triangle_mesh.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace cgal_blend::internal {
@@ -69,7 +70,7 @@ Components find_components(const Blend_mesh& mesh, const Face_table& table) {
 namespace {
 
 struct Piece {
-  std::vector<Face> faces;
+  std::vector<Face> faces;  ///< that have an area
   CGAL::Bbox_3 box;
   Point_3 point;  ///< any of its points
 };
@@ -78,9 +79,11 @@ std::vector<Piece> split(const Blend_mesh& mesh, const Face_table& table, const 
   std::vector<Piece> pieces(components.count);
   for (std::size_t i = 0; i < table.faces.size(); ++i) {
     Piece& piece = pieces[components.of_face[table.faces[i]]];
-    piece.faces.push_back(table.faces[i]);
-    for (const std::uint32_t v : table.triangles[i]) piece.box += mesh.point(Vertex(v)).bbox();
-    piece.point = mesh.point(Vertex(table.triangles[i][0]));
+    const Point_3 corner[] = {mesh.point(Vertex(table.triangles[i][0])), mesh.point(Vertex(table.triangles[i][1])),
+                              mesh.point(Vertex(table.triangles[i][2]))};
+    for (const Point_3& p : corner) piece.box += p.bbox();
+    piece.point = corner[0];
+    if (!CGAL::collinear(corner[0], corner[1], corner[2])) piece.faces.push_back(table.faces[i]);
   }
   return pieces;
 }
@@ -91,15 +94,26 @@ bool contains(const CGAL::Bbox_3& outer, const CGAL::Bbox_3& inner) {
   return true;
 }
 
+bool is_vouched_for(std::size_t component, const Orientation_doubts& doubts) {
+  return !doubts.vouched_for.empty() && doubts.vouched_for[component] != 0;
+}
+
 /// Per piece: how many others enclose it. Only a piece whose box holds another's needs a search tree.
-std::vector<int> nesting_depths(const Blend_mesh& mesh, const std::vector<Piece>& pieces) {
+std::vector<int> nesting_depths(const Blend_mesh& mesh, const std::vector<Piece>& pieces,
+                                const Orientation_doubts& doubts) {
   using Side_test = CGAL::Side_of_triangle_mesh<Blend_mesh, Kernel>;
   std::vector<int> depth(pieces.size(), 0);
-  for (const Piece& outer : pieces) {
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const Piece& outer = pieces[k];
     std::vector<std::size_t> candidates;
+    const auto crosses = [&](std::size_t i) {
+      const auto [low, high] = std::minmax(i, k);
+      return doubts.crossing.count({static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high)}) != 0;
+    };
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (&pieces[i] != &outer && contains(outer.box, pieces[i].box)) candidates.push_back(i);
-    if (candidates.empty()) continue;
+      if (i != k && !is_vouched_for(i, doubts) && contains(outer.box, pieces[i].box) && !crosses(i))
+        candidates.push_back(i);
+    if (candidates.empty() || outer.faces.empty()) continue;
     Side_test::AABB_tree tree(outer.faces.begin(), outer.faces.end(), mesh);
     const Side_test side(tree);
     for (const std::size_t i : candidates)
@@ -110,11 +124,15 @@ std::vector<int> nesting_depths(const Blend_mesh& mesh, const std::vector<Piece>
 
 }  // namespace
 
-std::size_t misoriented_component(const Blend_mesh& mesh, const Face_table& table, const Components& components) {
+std::size_t misoriented_component(const Blend_mesh& mesh, const Face_table& table, const Components& components,
+                                  const Orientation_doubts& doubts) {
+  bool any = false;
+  for (std::size_t c = 0; c < components.count; ++c) any = any || !is_vouched_for(c, doubts);
+  if (!any) return components.count;
   std::vector<int> depth(components.count, 0);
-  if (components.count > 1) depth = nesting_depths(mesh, split(mesh, table, components));
+  if (components.count > 1) depth = nesting_depths(mesh, split(mesh, table, components), doubts);
   for (std::size_t c = 0; c < components.count; ++c)
-    if ((components.volume[c] > 0) != (depth[c] % 2 == 0)) return c;
+    if (!is_vouched_for(c, doubts) && (components.volume[c] > 0) != (depth[c] % 2 == 0)) return c;
   return components.count;
 }
 

@@ -5,8 +5,10 @@
 #include "boolean.h"
 #include "edge_finder.h"
 #include "fillet_coarse.h"
+#include "fillet_flaws.h"
 #include "fillet_in_passes.h"
 #include "near_faces.h"
+#include "propagate_chain.h"
 #include "sharp_mesh.h"
 #include "snap_to_planes.h"
 #include "stopwatch.h"
@@ -32,6 +34,33 @@ constexpr double largest_profile = 1000;
 Fillet_outcome blend_body(const Fillet_body& body, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                           const Fillet_options& options) {
   return options.coarse_faces > 0 ? fillet_coarse(body, blends, out, options) : fillet_in_passes(body, blends, out, options);
+}
+
+/// Blends edges of a mesh whose flaws must not be met.
+Fillet_outcome blend_beside_flaws(const Fillet_body& body, std::vector<Edge_blend> blends,
+                                  const std::vector<Flaw>& flaws, Blend_mesh& out, const Fillet_options& options) {
+  const Blend_mesh& mesh = *body.mesh;
+  Fillet_outcome outcome;
+  std::vector<Blend_report> left_sharp;
+  if (options.coarse_faces > 0) {
+    outcome.diagnosis = flaw_diagnosis(mesh, flaws.front(), "where the coarse level would be");
+  } else if (options.keep_going) {
+    left_sharp = leave_out_flawed_curves(mesh, flaws, blends, options);
+    if (blends.empty() && !left_sharp.empty()) outcome.diagnosis = left_sharp.front().diagnosis;
+  } else {
+    outcome.diagnosis = flaw_at_edges(mesh, flaws, blends);
+  }
+  if (outcome.ok()) {
+    outcome = blend_body(body, blends, out, options);
+    const Diagnosis flaw = outcome.ok() ? flaw_in_changes(mesh, flaws, outcome)
+                                        : flaw_near_refusal(mesh, flaws, blends, options, outcome.diagnosis);
+    if (!flaw.ok()) {
+      outcome.diagnosis = flaw;
+      out.clear();
+    }
+  }
+  outcome.blends.insert(outcome.blends.end(), left_sharp.begin(), left_sharp.end());
+  return outcome;
 }
 
 /// A profile must be made of numbers, whatever the wedge.
@@ -129,14 +158,19 @@ Fillet_outcome blend_result(const Fillet_body& body, const Boolean_result& sharp
 /// Blends the curves of a boolean. Where the boolean itself is not valid, that is what is wrong, and not the blend.
 Fillet_outcome blend_sharp(const Fillet_body& body, const Boolean_result& sharp, Blend_mesh& out,
                            const Fillet_options& options) {
-  const bool may_change_view = options.mode == Blend_mode::stitch;
-  Fillet_outcome outcome = may_change_view ? fillet_in_passes(body, {{sharp.curves}}, out, options, false)
-                                           : blend_body(body, {{sharp.curves}}, out, options);
-  const Status status = outcome.diagnosis.status;
-  if (may_change_view && status_class(status) == Status_class::blend && status != Status::cancelled) {
-    Fillet_outcome other = blend_result(body, sharp, out, options, status == Status::corner);
-    if (other.ok() || (status == Status::corner && other.diagnosis.max_radius)) return other;
-    outcome = fillet_in_passes(body, {{sharp.curves}}, out, options);
+  if (options.mode != Blend_mode::stitch) return blend_body(body, {{sharp.curves}}, out, options);
+  Fillet_outcome outcome = fillet_in_passes(body, {{sharp.curves}}, out, options, false);
+  switch (outcome.diagnosis.status) {
+    case Status::ok:
+    case Status::result_invalid: break;
+    case Status::corner:
+    case Status::open_branch:
+    case Status::mixed_convexity: {
+      Fillet_outcome other = blend_result(body, sharp, out, options, true);
+      if (other.ok() || other.diagnosis.max_radius) return other;
+      break;
+    }
+    default: outcome = fillet_in_passes(body, {{sharp.curves}}, out, options);
   }
   if (outcome.diagnosis.status != Status::result_invalid) return outcome;
   Blend_mesh unblended;
@@ -226,17 +260,24 @@ namespace unchecked {
 
 Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, Blend_mesh& out,
                             const Fillet_options& options) {
+  return fillet_edges(mesh, blends, std::vector<Flaw>{}, out, options);
+}
+
+Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& chosen,
+                            const std::vector<Flaw>& flaws, Blend_mesh& out, const Fillet_options& options) {
   Fillet_outcome outcome;
   outcome.diagnosis = check_options(options);
   if (!outcome.diagnosis.ok()) return outcome;
-  for (const Edge_blend& blend : blends)
+  for (const Edge_blend& blend : chosen)
     if (blend.profile && !is_finite(*blend.profile)) {
       outcome.diagnosis = {Status::invalid_parameter, "the profile of a blend must be finite", {}, {}};
       return outcome;
     }
+  const std::vector<Edge_blend> blends =
+      options.propagate ? propagate_chains(mesh, chosen, options.smooth_angle) : chosen;
   Fillet_body body;
   body.mesh = body.base[0] = body.base[1] = &mesh;
-  return blend_body(body, blends, out, options);
+  return flaws.empty() ? blend_body(body, blends, out, options) : blend_beside_flaws(body, blends, flaws, out, options);
 }
 
 Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& second, Boolean_operation operation,

@@ -96,7 +96,8 @@ class Radius_search {
 
   static bool may_help(Status status) {
     return status == Status::radius_exceeds_face || status == Status::radius_exceeds_curvature ||
-           status == Status::no_rolling_ball || status == Status::blend_collides || status == Status::blends_overlap;
+           status == Status::no_rolling_ball || status == Status::blend_collides || status == Status::blends_overlap ||
+           status == Status::corner;
   }
 
   /// The share of their radii at which all of the blends work; none if it is not found.

@@ -7,6 +7,8 @@
 #include "triangle_topology.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -42,10 +44,16 @@ using Face_pair = std::pair<Face, Face>;  ///< the smaller index first
 /// Finds the pieces, numbered by their face of least index, and their volumes.
 [[nodiscard]] Components find_components(const Blend_mesh& mesh, const Face_table& table);
 
+/// What has to be known of components that are not all new and clear of each other.
+struct Orientation_doubts {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> crossing;  ///< pairs that meet, the smaller number first
+  std::vector<char> vouched_for;                               ///< per component: not to be judged; empty: judge all
+};
+
 /// Returns a component that points the wrong way: outwards where it bounds a cavity, or inwards where it bounds the
-/// body; `count` if none does. Components must not meet.
+/// body; `count` if none does. Components that meet do not enclose each other.
 [[nodiscard]] std::size_t misoriented_component(const Blend_mesh& mesh, const Face_table& table,
-                                                const Components& components);
+                                                const Components& components, const Orientation_doubts& doubts);
 
 }  // namespace cgal_blend::internal
 

@@ -24,7 +24,7 @@ std::string text(std::size_t i) { return std::to_string(i); }
 /// Collects findings of one run; the first one becomes the diagnosis.
 class Inspection {
  public:
-  explicit Inspection(const Blend_mesh& mesh) : mesh_(mesh) {
+  explicit Inspection(const Blend_mesh& mesh, Flaw_policy policy = Flaw_policy::refuse) : mesh_(mesh), policy_(policy) {
     report_.vertices = mesh.number_of_vertices();
     report_.faces = mesh.number_of_faces();
   }
@@ -35,6 +35,7 @@ class Inspection {
  private:
   void note(const Diagnosis& diagnosis);
   void note(Status status, std::string detail, std::optional<Point_3> point = {});
+  void note_flaw(Status status, std::string detail, const Point_3& point);
   [[nodiscard]] const Point_3& point(std::uint32_t v) const { return mesh_.point(Vertex(v)); }
 
   bool tabulate();
@@ -44,11 +45,12 @@ class Inspection {
   [[nodiscard]] double diagonal() const;
   void check_size(const Face_table& faces);
   void check_intersections(const std::vector<Face_pair>& pairs);
-  void check_orientation(const Components& components);
+  void check_orientation(const Components& components, const internal::Orientation_doubts& doubts);
   void measure(const Components& components);
   [[nodiscard]] bool sound() const { return report_.closed && report_.manifold; }
 
   const Blend_mesh& mesh_;
+  Flaw_policy policy_;
   Face_table table_;
   Validity_report report_;
 };
@@ -63,6 +65,10 @@ void Inspection::note(Status status, std::string detail, std::optional<Point_3> 
   diagnosis.detail = std::move(detail);
   diagnosis.point = point;
   note(diagnosis);
+}
+
+void Inspection::note_flaw(Status status, std::string detail, const Point_3& point) {
+  if (policy_ == Flaw_policy::refuse) note(status, std::move(detail), point);
 }
 
 /// Fills the table of faces; false if there are none, or one is no triangle.
@@ -136,17 +142,21 @@ void Inspection::check_size(const Face_table& faces) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> short_edges;  // hardly ever holds anything
   for (std::size_t f = 0; f < faces.faces.size(); ++f) {
     const Triangle& t = faces.triangles[f];
+    bool is_flaw = false;
     if (CGAL::collinear(point(t[0]), point(t[1]), point(t[2]))) {
+      is_flaw = true;
       ++report_.degenerate_faces;
-      note(Status::input_degenerate, "face " + text(faces.faces[f]) + " has no area", point(t[0]));
+      note_flaw(Status::input_degenerate, "face " + text(faces.faces[f]) + " has no area", point(t[0]));
     }
     for (int i = 0; i < 3; ++i) {
       const auto [u, v] = std::minmax({t[i], t[(i + 1) % 3]});
       if (!(CGAL::squared_distance(point(u), point(v)) < shortest * shortest)) continue;
+      is_flaw = true;
       short_edges.insert({u, v});
-      note(Status::input_degenerate, "edge between vertices " + text(u) + " and " + text(v) + " has almost no length",
-           point(u));
+      note_flaw(Status::input_degenerate,
+                "edge between vertices " + text(u) + " and " + text(v) + " has almost no length", point(u));
     }
+    if (is_flaw) report_.flaws.push_back({Status::input_degenerate, {faces.faces[f], faces.faces[f]}});
   }
   report_.short_edges = short_edges.size();
 }
@@ -155,13 +165,14 @@ void Inspection::check_intersections(const std::vector<Face_pair>& pairs) {
   report_.intersections_checked = true;
   report_.self_intersections = pairs.size();
   if (pairs.empty()) return;
+  for (const auto& [f, g] : pairs) report_.flaws.push_back({Status::input_self_intersecting, {f, g}});
   std::string detail = "faces " + text(pairs[0].first) + " and " + text(pairs[0].second);
   if (pairs.size() > 1) detail += ", the first of " + text(pairs.size()) + " pairs";
-  note(Status::input_self_intersecting, detail, internal::meeting_point(mesh_, pairs[0]));
+  note_flaw(Status::input_self_intersecting, detail, internal::meeting_point(mesh_, pairs[0]));
 }
 
-void Inspection::check_orientation(const Components& components) {
-  const std::size_t bad = internal::misoriented_component(mesh_, table_, components);
+void Inspection::check_orientation(const Components& components, const internal::Orientation_doubts& doubts) {
+  const std::size_t bad = internal::misoriented_component(mesh_, table_, components, doubts);
   report_.outward = bad == components.count;
   if (report_.outward) return;
   const auto first = std::find(components.of_face.begin(), components.of_face.end(), bad);
@@ -189,7 +200,13 @@ Validity_report Inspection::whole() {
   measure(components);
   if (!report_.manifold) return report_;
   check_intersections(internal::intersecting_pairs(mesh_));
-  if (report_.ok()) check_orientation(components);
+  if (!report_.ok()) return report_;
+  internal::Orientation_doubts doubts;
+  for (const Flaw& flaw : report_.flaws) {
+    const std::uint32_t c = components.of_face[flaw.faces[0]], d = components.of_face[flaw.faces[1]];
+    if (c != d) doubts.crossing.insert(std::minmax(c, d));
+  }
+  check_orientation(components, doubts);
   return report_;
 }
 
@@ -201,12 +218,13 @@ std::vector<char> mark_vertices(const Blend_mesh& mesh, const std::vector<Face>&
   return marks;
 }
 
-/// True if a piece has no face of old: nothing then vouches for its orientation.
-bool has_new_component(const Components& components, const Face_table& table, const std::vector<char>& is_changed) {
+/// Per piece: whether it has a face of old, which vouches for its orientation.
+std::vector<char> find_old_components(const Components& components, const Face_table& table,
+                                      const std::vector<char>& is_changed) {
   std::vector<char> has_old(components.count, 0);
   for (const Face f : table.faces)
     if (!is_changed[f]) has_old[components.of_face[f]] = 1;
-  return std::find(has_old.begin(), has_old.end(), 0) != has_old.end();
+  return has_old;
 }
 
 Validity_report Inspection::changes(const std::vector<Face>& changed) {
@@ -232,16 +250,15 @@ Validity_report Inspection::changes(const std::vector<Face>& changed) {
   if (!report_.manifold) return report_;
   check_intersections(internal::intersecting_pairs(mesh_, table_, changed));
   if (!report_.ok()) return report_;
-  if (has_new_component(components, table_, is_changed))
-    check_orientation(components);
-  else
-    report_.outward = true;
+  internal::Orientation_doubts doubts;
+  doubts.vouched_for = find_old_components(components, table_, is_changed);
+  check_orientation(components, doubts);
   return report_;
 }
 
 }  // namespace
 
-Validity_report validate(const Blend_mesh& mesh) { return Inspection(mesh).whole(); }
+Validity_report validate(const Blend_mesh& mesh, Flaw_policy policy) { return Inspection(mesh, policy).whole(); }
 
 Validity_report validate_changes(const Blend_mesh& mesh, const std::vector<Face>& changed) {
   return Inspection(mesh).changes(changed);

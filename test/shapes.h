@@ -264,6 +264,64 @@ inline Blend_mesh side_by_side(Blend_mesh a, const Blend_mesh& b) {
   return a;
 }
 
+/// Box from (0, 0, 0) to (4, 4, 4) with unit grids, and on its top a spike over the square from (1, 1) to (2, 2) whose tip
+/// is folded down through its own side x = 1. Vertices and faces of the box come first, but for the square's two.
+inline Blend_mesh box_with_folded_spike() {
+  const Blend_mesh whole = grid_box({0, 0, 0}, {4, 4, 4}, 4);
+  std::vector<Point_3> points;
+  std::vector<Corner_indices> triangles;
+  for (const Vertex v : whole.vertices()) points.push_back(whole.point(v));
+  const auto in_square = [&](std::size_t v) {
+    const Point_3& p = points[v];
+    return p.z() == 4 && p.x() >= 1 && p.x() <= 2 && p.y() >= 1 && p.y() <= 2;
+  };
+  for (const Face f : whole.faces()) {
+    const Halfedge h = whole.halfedge(f);
+    const Corner_indices t{whole.source(h), whole.target(h), whole.target(whole.next(h))};
+    if (!std::all_of(t.begin(), t.end(), in_square)) triangles.push_back(t);
+  }
+  std::array<std::size_t, 4> foot{}, head{};  // counter-clockwise seen from above
+  const double corner[][2] = {{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point_3 place(corner[i][0], corner[i][1], 4);
+    foot[i] = std::find(points.begin(), points.end(), place) - points.begin();
+    head[i] = points.size();
+    points.emplace_back(place.x(), place.y(), 5);
+  }
+  const std::size_t tip = points.size();
+  points.emplace_back(0.5, 1.5, 4.5);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    triangles.insert(triangles.end(),
+                     {{foot[i], foot[j], head[j]}, {foot[i], head[j], head[i]}, {head[i], head[j], tip}});
+  }
+  return mesh_of(points, triangles);
+}
+
+/// The same surface with a face without area along the edge between the vertices at two points; it is the last face, and
+/// its further corner lies on a side of a neighbour.
+inline Blend_mesh with_needle(const Blend_mesh& mesh, const Point_3& from, const Point_3& to) {
+  std::vector<Point_3> points;
+  std::vector<Corner_indices> triangles;
+  for (const Vertex v : mesh.vertices()) points.push_back(mesh.point(v));
+  const std::size_t a = std::find(points.begin(), points.end(), from) - points.begin(),
+                    b = std::find(points.begin(), points.end(), to) - points.begin(), middle = points.size();
+  points.push_back(CGAL::midpoint(from, to));
+  for (const Face f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    Corner_indices t{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+    for (int turn = 0; turn < 3 && !(t[0] == a && t[1] == b); ++turn) std::rotate(t.begin(), t.begin() + 1, t.end());
+    if (t[0] == a && t[1] == b) {
+      triangles.push_back({a, middle, t[2]});
+      triangles.push_back({middle, b, t[2]});
+    } else {
+      triangles.push_back(t);
+    }
+  }
+  triangles.push_back({a, b, middle});
+  return mesh_of(points, triangles);
+}
+
 /// The same surface with all faces turned over.
 inline Blend_mesh inside_out(const Blend_mesh& mesh) {
   std::vector<Point_3> points;

@@ -106,6 +106,41 @@ TEST_F(Cli, ReportAgreesWithTheFile) {
     EXPECT_GE(report["timings_ms"][key].get<double>(), 0) << key;
 }
 
+TEST_F(Cli, FlawsAreCountedAndStay) {
+  write_mesh(path("flawed.off"), with_needle(box_with_folded_spike(), {1, 1, 4}, {0, 1, 4}));
+  write_mesh(path("clean.off"), grid_box({0, 0, 0}, {4, 4, 4}, 4));
+  write("upright.json", R"({"blends": [{"polyline": [[4, 4, 0], [4, 4, 1], [4, 4, 2], [4, 4, 3], [4, 4, 4]]}]})");
+  EXPECT_EQ(run("fillet flawed.off --blends upright.json --radius 0.5 -o out.off").exit, 3);
+  ASSERT_EQ(run("fillet clean.off --blends upright.json --radius 0.5 -o clean_out.off").exit, 0);
+  const Run r = run("fillet flawed.off --blends upright.json --radius 0.5 --accept-flaws -o out.off --report report.json");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  EXPECT_NEAR(volume("out.off") - volume("flawed.off"), volume("clean_out.off") - 64, 1e-12);
+  const Json report = json("report.json");
+  EXPECT_GT(report["input"]["self_intersections"], 0);
+  EXPECT_EQ(report["input"]["degenerate_faces"], 1);
+  EXPECT_EQ(report["output"]["self_intersections"], report["input"]["self_intersections"]);
+  EXPECT_EQ(report["output"]["degenerate_faces"], 1);
+  EXPECT_EQ(run("check out.off --report check.json").exit, 3);
+  EXPECT_EQ(json("check.json")["output"]["self_intersections"], report["input"]["self_intersections"]);
+  const Run summary = run("fillet flawed.off --blends upright.json --radius 0.5 --accept-flaws -o out.off");
+  EXPECT_NE(summary.out.find("flaws of the input left as they were"), std::string::npos) << summary.out;
+  ASSERT_EQ(run("fillet clean.off --blends upright.json --radius 0.5 --accept-flaws -o out.off --report report.json").exit, 0);
+  EXPECT_EQ(bytes("out.off"), bytes("clean_out.off"));
+  EXPECT_EQ(json("report.json")["input"]["self_intersections"], 0);
+}
+
+TEST_F(Cli, OneEdgeStandsForTheRimIfItIsPropagated) {
+  write("rim.json", R"({"blends": [{"polyline": [)" + rim_of_cylinder() + "]}]}");
+  write("edge.json", R"({"blends": [{"polyline": [64, 65]}]})");
+  ASSERT_EQ(run("fillet cylinder.off --blends rim.json --radius 2 -o rim.off").exit, 0);
+  const Run r = run("fillet cylinder.off --blends edge.json --radius 2 --propagate on -o out.off");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  EXPECT_EQ(bytes("out.off"), bytes("rim.off"));
+  const Run off = run("fillet cylinder.off --blends edge.json --radius 2 --propagate off -o other.off");
+  EXPECT_EQ(off.err, run("fillet cylinder.off --blends edge.json --radius 2 -o other.off").err);
+  expect_valid("out.off");
+}
+
 TEST_F(Cli, ReportOnStandardOutputIsAlone) {
   const Run r = run("difference a.off b.off -o out.off --report -");
   ASSERT_EQ(r.exit, 0) << r.err;

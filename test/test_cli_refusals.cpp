@@ -66,6 +66,8 @@ class Cli_refusals : public Cli_runner, public testing::WithParamInterface<Refus
     write("bare_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [1, 2]}]})");
     write("text_in_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1], [1, "wide"]]}]})");
     write("open.json", R"({"blends": [{"polyline": [0, 1], "radius": 0.1}]})");
+    write_mesh(path("spiked.off"), box_with_folded_spike());
+    write("spike_foot.json", R"({"blends": [{"polyline": [[1, 1, 4], [2, 1, 4]]}]})");
     write("bad.selection.txt", "\n\n0 1 2\n");
     write("no_edge.selection.txt", "\n\n0 1 0 7\n");
     write("protected.off", "a file of the user\n");
@@ -142,6 +144,9 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"CoarseOfUnknownMode", box_fillet + "--radius 1 --mode stitsch --coarse 100", 2, "'stitsch'", "invalid_parameter"},
   {"HalfAFace", box_fillet + "--radius 1 --coarse 0.5", 2, "whole number", ""},
   {"EndlessProfile", "union plate.off boss.off -o OUT --radius 1 --profile hermite:1e308,1e308", 2, "profile", "invalid_parameter"},
+  {"PropagateMaybe", box_fillet + "--radius 0.1 --propagate maybe", 2, "'maybe' is neither on nor off", ""},
+  {"PropagateABoolean", "union box.off overlap.off -o OUT --radius 0.1 --propagate on", 2, "--propagate", ""},
+  {"FlawsOfABoolean", "union crossing.off box.off -o OUT --accept-flaws", 2, "--accept-flaws", ""},
   {"UnknownMode", box_fillet + "--radius 1 --mode weave", 2, "'weave'", "invalid_parameter"},
   {"NoEdgesNamed", "fillet box.off -o OUT --radius 1", 2, "exactly one", "invalid_parameter"},
   {"EdgesNamedTwice", box_fillet + "--radius 1 --edges x.txt", 2, "exactly one", "invalid_parameter"},
@@ -222,6 +227,15 @@ INSTANTIATE_TEST_SUITE_P(Input, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"Needle", "union needle.off box.off -o OUT", 3, "needle.off", "input_degenerate"},
   {"SelfIntersecting", "union crossing.off box.off -o OUT", 3, "faces", "input_self_intersecting"},
   {"FilletToo", "fillet crossing.off --sharp-angle 40 --radius 0.1 -o OUT", 3, "faces", "input_self_intersecting"},
+  {"FlawInTheWay", "fillet spiked.off --blends spike_foot.json --radius 0.1 --accept-flaws -o OUT", 3, "in the way of the blend",
+   "input_self_intersecting"},
+  {"NeedleInTheWay", "fillet needle.off --blends open.json --accept-flaws -o OUT", 3, "face 13, in the way", "input_degenerate"},
+  {"NoFlawButOpen", "fillet open.off --sharp-angle 40 --radius 0.1 --accept-flaws -o OUT", 3, "open.off", "input_not_closed"},
+  {"NoFlawButInsideOut", "fillet inside_out.off --sharp-angle 40 --radius 0.1 --accept-flaws -o OUT", 3, "inside_out.off",
+   "input_misoriented"},
+  {"NoFlawButNan", "fillet nan.off --sharp-angle 40 --radius 0.1 --accept-flaws -o OUT", 3, "vertex 0", "input_not_finite"},
+  {"FlawsUnderACoarseLevel", "fillet crossing.off --blends open.json --coarse 8 --accept-flaws -o OUT", 3, "coarse level",
+   "input_self_intersecting"},
   {"Overflow", "union box.off box.off -o OUT --transform-b '1e308 0 0 1e308 0 1e308 0 1e308 0 0 1e308 1e308'", 3, "finite",
    "input_not_finite"},
   {"CurvatureMissing", "curvature missing.off -o c.ply", 3, "missing.off", "input_unreadable"},

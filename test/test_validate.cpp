@@ -113,6 +113,54 @@ TEST(Validate, Names_the_open_edge) {
   EXPECT_DOUBLE_EQ(r.area, 5.5);
 }
 
+TEST(Validate, Lists_flaws_and_accepts_them_on_request) {
+  const Blend_mesh mesh = with_needle(box_with_folded_spike(), {1, 1, 0}, {2, 1, 0});
+  const Validity_report refused = validate(mesh), accepted = validate(mesh, Flaw_policy::accept);
+  EXPECT_EQ(refused.diagnosis.status, Status::input_degenerate);
+  EXPECT_TRUE(accepted.ok()) << message(accepted.diagnosis);
+  EXPECT_TRUE(accepted.outward);
+  EXPECT_EQ(accepted.degenerate_faces, 1u);
+  EXPECT_GT(accepted.self_intersections, 0u);
+  EXPECT_EQ(refused.self_intersections, accepted.self_intersections);
+  ASSERT_EQ(accepted.flaws.size(), 1 + accepted.self_intersections) << "its middle lies on a side of a neighbour";
+  EXPECT_EQ(accepted.flaws[0].status, Status::input_degenerate);
+  const Face needle(static_cast<std::uint32_t>(mesh.number_of_faces() - 1));
+  EXPECT_TRUE(accepted.flaws[0].faces[0] == needle && accepted.flaws[0].faces[1] == needle);
+  std::vector<std::pair<Face, Face>> pairs;
+  for (const Flaw& flaw : validate(box_with_folded_spike()).flaws) {
+    EXPECT_EQ(flaw.status, Status::input_self_intersecting);
+    pairs.emplace_back(flaw.faces[0], flaw.faces[1]);
+  }
+  EXPECT_EQ(pairs, crossing_faces_by_brute_force(box_with_folded_spike()));
+}
+
+TEST(Validate, Accepts_pieces_that_cross_each_other_on_request) {
+  for (const double inside : {0.0, 0.5}) {  // with a vertex of one in the other, or none
+    const Blend_mesh pair =
+        side_by_side(box(origin, {4, 4, 4}), box({inside, inside, inside}, {2, 2, inside == 0 ? 2.0 : 5.0}));
+    EXPECT_FALSE(validate(pair).ok());
+    const Validity_report r = validate(pair, Flaw_policy::accept);
+    EXPECT_TRUE(r.ok()) << message(r.diagnosis);
+  }
+  const Blend_mesh cavity = side_by_side(side_by_side(box(origin, {4, 4, 4}), inside_out(box({1, 1, 1}, {2, 2, 2}))),
+                                         box({3, 3, 3}, {5, 5, 5}));
+  EXPECT_TRUE(validate(cavity, Flaw_policy::accept).ok());
+}
+
+TEST(Validate, Accepts_nothing_but_flaws) {
+  const auto status_of = [](const Blend_mesh& mesh) { return validate(mesh, Flaw_policy::accept).diagnosis.status; };
+  EXPECT_EQ(status_of(inside_out(box_with_folded_spike())), Status::input_misoriented);
+  EXPECT_EQ(status_of(side_by_side(box_with_folded_spike(), inside_out(box({8, 8, 8}, {9, 9, 9})))),
+            Status::input_misoriented);
+  Blend_mesh open = box_with_folded_spike();
+  remove_face(open, Face(3));
+  EXPECT_EQ(status_of(open), Status::input_not_closed);
+  Blend_mesh endless = box_with_folded_spike();
+  endless.point(Vertex(5)) = Point_3(std::numeric_limits<double>::infinity(), 0, 0);
+  EXPECT_EQ(status_of(endless), Status::input_not_finite);
+  EXPECT_EQ(status_of(Blend_mesh()), Status::input_empty);
+}
+
 /// Makes two vertices at one place the same one. `add_face` would not build what comes of it; a defect might.
 void weld(Blend_mesh& mesh, const Point_3& place) {
   std::vector<Vertex> there;

@@ -6,6 +6,7 @@
 #include <cgal_blend/profile.h>
 #include <cgal_blend/radius_law.h>
 #include <cgal_blend/status.h>
+#include <cgal_blend/validate.h>
 
 #include <array>
 #include <cstddef>
@@ -44,6 +45,15 @@ struct Fillet_options {
   /// Leave curves that cannot be blended sharp instead of refusing all; also those that wait for them at a corner, if a
   /// whole pass fails.
   bool keep_going = false;
+  /// A mesh whose edges are blended may have flaws (`Flaw`) away from the blends: they stay as they are, all that is new
+  /// is as valid as ever. A flaw that a blend meets is refused by its name. For the check of the input; operands of
+  /// booleans may have none, as corefinement has no answer for them.
+  bool accept_flaws = false;
+  /// Edges chosen for a blend are continued over those that go on smoothly from their ends: the only further crease there
+  /// by `smooth_angle`, bent to the same side, turning by less than 25 degrees. Off by default, so that what is blended is
+  /// what was chosen; on, one edge of a rim stands for the rim. Curves of booleans are whole anyway. A law runs along the
+  /// curve as it has grown, and its start at an open end moves along with the end.
+  bool propagate = false;
 
   /// Called with a fraction in [0,1] from time to time; return false to cancel.
   std::function<bool(double)> progress;
@@ -139,6 +149,13 @@ namespace unchecked {
 /// Source: Liu et al., Mesh blending, The Visual Computer 21 (2005), sections 3 to 6.
 [[nodiscard]] Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends,
                                           Blend_mesh& out, const Fillet_options& options);
+
+/// The same for a mesh with flaws, all of which are told; in stitching or map mode without a coarse level.
+/// \param flaws as `validate` lists them. Faces named there are kept, or the blend is refused with the status of the
+///        flaw and its place. `keep_going` leaves curves sharp whose edges touch one; their reports come last
+[[nodiscard]] Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends,
+                                          const std::vector<Flaw>& flaws, Blend_mesh& out,
+                                          const Fillet_options& options);
 
 /// Computes a boolean of two meshes and blends their intersection curves; radius 0 leaves the curves sharp.
 /// Faces of `a` that are kept come first in `out`, then those of `b`, then new ones.

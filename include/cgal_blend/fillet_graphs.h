@@ -19,7 +19,7 @@ namespace cgal_blend {
 
 /// What is done about an input mesh before anything else.
 enum class Input_check {
-  full,  ///< `validate`; a mesh that is not acceptable is refused by name
+  full,  ///< `validate`; a mesh that is not acceptable is refused by name, see also `Fillet_options::accept_flaws`
   none   ///< nothing: the caller vouches for it, for example because this library wrote it
 };
 
@@ -41,6 +41,7 @@ struct Fillet_result {
   std::vector<face_descriptor> changed_faces;  ///< every face that is not a face of an input, blend faces included
   std::size_t kept_faces = 0;                  ///< faces bit-identical to faces of an input, order kept
   double volume = 0, area = 0;                 ///< of the output
+  std::size_t accepted_flaws = 0;              ///< flaws of the input that are flaws of the output, see `Flaw`
   Stage_times times;                           ///< `validate` includes the check of the inputs
 
   [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
@@ -49,11 +50,15 @@ struct Fillet_result {
 namespace internal {
 
 /// Validates an input mesh; `which` names it in the message where there are two. Adds the time it took.
+/// \param flaws receives those that are accepted, if the options say so; null: none are
 inline Diagnosis check_input(const Blend_mesh& mesh, const Graph_fillet_options& options, const char* which,
-                             Stage_times& times) {
+                             Stage_times& times, std::vector<Flaw>* flaws = nullptr) {
   if (options.input_check == Input_check::none) return {};
   const auto start = std::chrono::steady_clock::now();
-  Diagnosis diagnosis = validate(mesh).diagnosis;
+  const bool accept = flaws != nullptr && options.accept_flaws;
+  Validity_report report = validate(mesh, accept ? Flaw_policy::accept : Flaw_policy::refuse);
+  Diagnosis diagnosis = std::move(report.diagnosis);
+  if (accept) *flaws = std::move(report.flaws);
   times.validate += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   const bool name_it = !diagnosis.ok() && *which != '\0';
   if (name_it) diagnosis.detail = diagnosis.detail.empty() ? which : which + (": " + diagnosis.detail);
@@ -113,7 +118,8 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
     const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
   const internal::Mesh_copy<Graph> copy(mesh, np_mesh);
   Stage_times times;
-  if (Diagnosis bad = internal::check_input(copy.mesh(), options, "", times); !bad.ok())
+  std::vector<Flaw> flaws;
+  if (Diagnosis bad = internal::check_input(copy.mesh(), options, "", times, &flaws); !bad.ok())
     return internal::refused<Output>(std::move(bad), times);
   std::vector<Edge_blend> copied_blends;
   for (const Edge_blend_of<Graph>& blend : blends) {
@@ -122,9 +128,10 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
     for (const auto e : blend.edges) copied_blends.back().edges.push_back(copy.copy_of_edge(e));
   }
   Blend_mesh result;
-  const Fillet_outcome outcome =
-      unchecked::fillet_edges(copy.mesh(), copied_blends, result, static_cast<const Fillet_options&>(options));
-  return internal::hand_out(outcome, result, times, out, np_out);
+  const Fillet_outcome outcome = unchecked::fillet_edges(copy.mesh(), copied_blends, flaws, result, options);
+  Fillet_result<Output> handed_out = internal::hand_out(outcome, result, times, out, np_out);
+  if (handed_out.ok()) handed_out.accepted_flaws = flaws.size();
+  return handed_out;
 }
 
 /// Computes a boolean of two meshes and blends their intersection curves; radius 0 leaves the curves sharp.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 
 namespace cgal_blend::cli {
 
@@ -35,11 +36,13 @@ void fillet(const Fillet_command_options& o, Report& report) {
   std::vector<Blend_request> requests;
   if (!o.choice.blends_file.empty()) requests = read_blends(o.choice.blends_file);
   require_radius_for_all(o, options.law, requests);
-  const Blend_mesh mesh = read_operand(o.input, report.input, report);
+  std::vector<Flaw> flaws;
+  const Blend_mesh mesh = read_operand(o.input, report.input, report, {}, options.accept_flaws ? &flaws : nullptr);
   const std::vector<Edge_blend> blends = chosen_edges(o.choice, requests, mesh);
-  blend_and_write(
-      [&](Blend_mesh& out, const Fillet_options& with) { return unchecked::fillet_edges(mesh, blends, out, with); },
-      options, o.output, report);
+  const auto engine = [&](Blend_mesh& out, const Fillet_options& with) {
+    return unchecked::fillet_edges(mesh, blends, flaws, out, with);
+  };
+  blend_and_write(engine, options, o.output, report);
 }
 
 }  // namespace
@@ -59,6 +62,17 @@ void add_fillet_command(CLI::App& app, int& exit_status) {
       ->add_option("--blends", options->choice.blends_file, "Blend the polylines of a JSON file, each with its radius")
       ->type_name("FILE");
   add_ball_options(*command, options->ball);
+  const auto propagate = [flags = &options->ball.fillet](const std::string& text) {
+    if (text != "on" && text != "off")
+      throw CLI::ValidationError("--propagate", "'" + text + "' is neither on nor off");
+    flags->propagate = text == "on";
+  };
+  command
+      ->add_option_function<std::string>("--propagate", propagate,
+                                         "on: continue the chosen edges over those that go on smoothly [off]")
+      ->type_name("on|off");
+  command->add_flag("--accept-flaws", options->ball.fillet.accept_flaws,
+                    "Accept self-intersections and degenerate faces of IN that the blends do not meet; they stay");
   command->callback([=, &exit_status] {
     if (angle->count() > 0) options->choice.sharp_angle = options->sharp_angle;
     exit_status =

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <iostream>
 #include <new>
+#include <utility>
 
 namespace cgal_blend::cli {
 
@@ -58,10 +59,16 @@ std::string success_message(const std::vector<Blend_report>& blends) {
          " curves could not be blended and were left sharp";
 }
 
-void print_summary(const Fillet_outcome& outcome, const Blend_mesh& mesh, const std::string& file) {
+void print_summary(const Fillet_outcome& outcome, const Blend_mesh& mesh, const std::string& file,
+                   const Flaw_counts& flaws) {
   std::cout << file << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
-            << " faces, closed, manifold, no self-intersections; volume " << outcome.volume << ", area " << outcome.area
-            << "\n";
+            << " faces, closed, manifold, ";
+  if (flaws.any())
+    std::cout << "flaws of the input left as they were (" << flaws.self_intersections << " self-intersections, "
+              << flaws.degenerate_faces << " degenerate faces, " << flaws.short_edges << " short edges)";
+  else
+    std::cout << "no self-intersections";
+  std::cout << "; volume " << outcome.volume << ", area " << outcome.area << "\n";
   for (std::size_t i = 0; i < outcome.blends.size(); ++i) {
     const Blend_report& blend = outcome.blends[i];
     std::cout << "  blend " << i + 1 << ": " << (blend.convex ? "convex" : "concave") << " curve of " << blend.edges
@@ -99,7 +106,8 @@ int run_job(const std::string& command, const Output_options& output, const std:
   return static_cast<int>(failure->exit);
 }
 
-Blend_mesh read_operand(const std::string& path, Json& entry, Report& report, const Transform& placement) {
+Blend_mesh read_operand(const std::string& path, Json& entry, Report& report, const Transform& placement,
+                        std::vector<Flaw>* flaws) {
   Blend_mesh mesh;
   {
     const Timer timer(report.read);
@@ -108,7 +116,12 @@ Blend_mesh read_operand(const std::string& path, Json& entry, Report& report, co
   }
   entry = input_json(path, mesh);
   const Timer timer(report.check_input);
-  const Validity_report validity = validate(mesh);
+  Validity_report validity = validate(mesh, flaws ? Flaw_policy::accept : Flaw_policy::refuse);
+  if (flaws) {
+    report.accepted = {validity.self_intersections, validity.degenerate_faces, validity.short_edges};
+    add_flaws(report.accepted, entry);
+    *flaws = std::move(validity.flaws);
+  }
   if (!validity.ok()) throw Failure(validity.diagnosis, in_quotes(path));
   return mesh;
 }
@@ -135,8 +148,9 @@ void blend_and_write(const std::function<Fillet_outcome(Blend_mesh&, const Fille
     if (!output.curvature.empty()) report.curvature = write_curvature_picture(output.curvature, mesh);
   }
   report.output = output_json(output.mesh, mesh, outcome);
+  if (report.accepted.any()) add_flaws(report.accepted, report.output);
   report.message = success_message(outcome.blends);
-  if (output.summary()) print_summary(outcome, mesh, output.mesh);
+  if (output.summary()) print_summary(outcome, mesh, output.mesh, report.accepted);
 }
 
 }  // namespace cgal_blend::cli

@@ -18,8 +18,9 @@ int run_job(const std::string& command, const Output_options& output, const std:
             const std::function<void(Report&)>& body);
 
 /// Reads an input mesh, places it, and refuses it by name if it is not a valid solid. Fills `entry` and the times.
+/// \param flaws receives the flaws of the mesh, which are no reason to refuse it then; null: they are
 [[nodiscard]] Blend_mesh read_operand(const std::string& path, Json& entry, Report& report,
-                                      const Transform& placement = {});
+                                      const Transform& placement = {}, std::vector<Flaw>* flaws = nullptr);
 
 /// Runs an engine with a progress line, then writes and reports its mesh; throws `Failure` if it refuses.
 void blend_and_write(const std::function<Fillet_outcome(Blend_mesh&, const Fillet_options&)>& engine,

@@ -56,6 +56,12 @@ Json input_json(const std::string& file, const Blend_mesh& mesh) {
   return {{"file", file}, {"vertices", mesh.number_of_vertices()}, {"faces", mesh.number_of_faces()}};
 }
 
+void add_flaws(const Flaw_counts& flaws, Json& entry) {
+  entry["self_intersections"] = flaws.self_intersections;
+  entry["degenerate_faces"] = flaws.degenerate_faces;
+  entry["short_edges"] = flaws.short_edges;
+}
+
 Json blends_json(const std::vector<Blend_report>& blends) {
   Json json = Json::array();
   for (const Blend_report& blend : blends) json.push_back(blend_json(blend));

@@ -9,12 +9,20 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace cgal_blend::cli {
 
 using Json = nlohmann::ordered_json;
+
+/// Flaws of the input that were accepted; the output has the same.
+struct Flaw_counts {
+  std::size_t self_intersections = 0, degenerate_faces = 0, short_edges = 0;
+
+  [[nodiscard]] bool any() const { return self_intersections + degenerate_faces + short_edges > 0; }
+};
 
 /// What `--report` writes; filled in as a command goes on, complete also when it ends early.
 /// Numbers that are not finite come out as null.
@@ -24,6 +32,7 @@ struct Report {
   std::string message = describe(Status::ok);
   Json input, output;             ///< null until known
   std::vector<Json> more_inputs;  ///< of the second body and further ones, null until known
+  Flaw_counts accepted;           ///< none unless asked for
   Json curvature;                 ///< null if nobody asked
   Json blends = Json::array();
   double read = 0, check_input = 0, write = 0;  ///< milliseconds
@@ -33,6 +42,9 @@ struct Report {
 };
 
 [[nodiscard]] Json input_json(const std::string& file, const Blend_mesh& mesh);
+/// Adds the counts to the entry of a mesh.
+void add_flaws(const Flaw_counts& flaws, Json& entry);
+
 [[nodiscard]] Json blends_json(const std::vector<Blend_report>& blends);
 
 /// The `output` entry for a mesh that the engine has validated.
