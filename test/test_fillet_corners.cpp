@@ -562,8 +562,6 @@ TEST(Fillet_corners, LargestRadiusIsTold) {
   };
   const std::vector<Case> cases{
       {"box", brick, all_creases(brick), 3.6, 3},
-      {"rim of a box", brick,
-       edges_where(brick, [](const Point_3& p, const Point_3& q) { return p.z() == 6 && q.z() == 6; }), 4.8, 4},
       {"bracket", l, all_creases(l), 2.4, 2},
       {"pyramid", roof, all_creases(roof), 2.5, 5 / (1 + std::sqrt(2.0))},
       {"tetrahedron", tetrahedron, all_creases(tetrahedron), 0.65, 1 / std::sqrt(3.0)}};
