@@ -149,6 +149,8 @@ class Engine {
       }
       outcome.diagnosis = escalate(assembly.blame, assembly.diagnosis);
     }
+    if (!outcome.ok() && outcome.diagnosis.status != Status::cancelled)
+      pass.again = options_.keep_going && refused_at_corner();
     if (!outcome.ok()) out.clear();
     for (const Job& job : jobs_) {
       if (pass.again && job.report.diagnosis.ok()) continue;
@@ -263,7 +265,8 @@ class Engine {
   /// Why the blends at a corner without a ball at rest cannot be made one after the other; null if they can.
   [[nodiscard]] const char* no_order(const std::vector<std::pair<std::size_t, int>>& node,
                                      const Base_surface& surface) const {
-    if (node.size() > 3) return "no ball touches all of the faces there";
+    // Blends that are to go on regardless end flat there.
+    if (node.size() > 3 && !options_.keep_going) return "no ball touches all of the faces there";
     const Blend_mesh& mesh = *body_.mesh;
     if (node.size() == 2) {
       const Halfedge in = into(node[0]), out = mesh.opposite(into(node[1]));
@@ -656,7 +659,13 @@ class Engine {
     if (quality.radius_error > worst_radius_error || quality.tangency_deg > worst_tangency ||
         quality.mean_tangency_deg > worst_mean_tangency)
       return refusal(Status::no_rolling_ball, quality.worst);
-    if (const auto twist = job.surface->find_twist(worst_twist * pi / 180)) return folded(job, *twist);
+    std::size_t first = 0, past = job.positions.size();
+    if (job.open) {  // beyond the ends the ball may roll as it likes
+      const std::array<Strip_end, 2>& ends = job.open->strip_ends;
+      first = *std::min_element(ends[0].last.begin(), ends[0].last.end());
+      past = *std::max_element(ends[1].last.begin(), ends[1].last.end()) + 1;
+    }
+    if (const auto twist = job.surface->find_twist(worst_twist * pi / 180, first, past)) return folded(job, *twist);
     if (!job.profile.is_arc()) job.report.tangency_deg = measure_tangency(*job.surface);
     return {};
   }

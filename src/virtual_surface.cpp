@@ -129,7 +129,7 @@ Vec Virtual_surface::operator()(double t, double u) const {
   return (1 - s) * on_profile(i, u) + s * on_profile((i + 1) % size(), u);
 }
 
-std::optional<Vec> Virtual_surface::find_twist(double angle) const {
+std::optional<Vec> Virtual_surface::find_twist(double angle, std::size_t first, std::size_t past) const {
   constexpr std::size_t columns = 8;
   std::vector<std::array<Vec, columns + 1>> points(size());
   for (std::size_t i = 0; i < size(); ++i)
@@ -142,7 +142,7 @@ std::optional<Vec> Virtual_surface::find_twist(double angle) const {
   const auto step = [&](std::size_t i) -> Vec {
     return sections_[(i + 1) % size()].centre - sections_[i % size()].centre;
   };
-  for (std::size_t i = 0; i + (closed_ ? 0 : 2) < size(); ++i) {
+  for (std::size_t i = closed_ ? 0 : first; i + (closed_ ? 0 : 2) < (closed_ ? size() : std::min(past, size())); ++i) {
     const double turn = angle_between(step(i), step(i + 1));
     for (std::size_t k = 0; k < columns; ++k)
       if (angle_between(normal(i, k), normal(i + 1, k)) > angle + turn) return points[(i + 1) % size()][k];

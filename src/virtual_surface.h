@@ -46,7 +46,9 @@ class Virtual_surface {
 
   /// Where neighbouring profiles twist against each other: a point at which the surface's normal turns by more than
   /// `angle` (radians) beyond the turn of the spine from one step to the next, if there is one.
-  [[nodiscard]] std::optional<Vec> find_twist(double angle) const;
+  /// \param first, past of the profiles to look at, if the surface is open
+  [[nodiscard]] std::optional<Vec> find_twist(double angle, std::size_t first = 0,
+                                              std::size_t past = static_cast<std::size_t>(-1)) const;
 
   /// Angle between profile i's end tangent and the tangent plane of the base face there, degrees.
   [[nodiscard]] double end_angle(std::size_t i, int side) const;
