@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ball_solver.h"
 
+#include "walking_newton.h"
+
 #include <Eigen/Dense>
 
 #include <cmath>
 
 namespace cgal_blend {
-
-namespace {
-
-constexpr int most_iterations = 60;
-constexpr int most_halvings = 8;
-constexpr double longest_step = 0.7;       // of the radius
-constexpr double solved = 1e-22;           // squared residual, in units of the radius
-constexpr double acceptable = 1e-16;
-
-/// Two unit tangents of a face.
-Eigen::Matrix<double, 3, 2> tangents(const Base_surface::Frame& frame) {
-  Eigen::Matrix<double, 3, 2> t;
-  t.col(0) = (frame.corner[1] - frame.corner[0]).stableNormalized();
-  t.col(1) = frame.face_normal.cross(t.col(0));
-  return t;
-}
-
-}  // namespace
 
 Ball_solver::Residual Ball_solver::residual(const Feet& feet, const Ball_guess& guess) const {
   const double away = distance(guess.fraction);
@@ -46,37 +30,22 @@ std::array<Vec, 2> Ball_solver::newton_step(const Feet& feet, const Ball_guess& 
   }
   const Eigen::Vector4d step = -jacobian.colPivHouseholderQr().solve(value);
   std::array<Vec, 2> result{tangent[0] * step.head<2>(), tangent[1] * step.tail<2>()};
-  const double length = std::max(result[0].norm(), result[1].norm());
-  if (length > longest_step * radius())
-    for (Vec& v : result) v *= longest_step * radius() / length;
+  limit_steps(result, radius());
   return result;
 }
 
 Ball_solution Ball_solver::solve(const Ball_guess& guess) const {
   Ball_solution solution;
   Feet feet = guess.foot;
-  Residual value = residual(feet, guess);
-  for (int iteration = 0; iteration < most_iterations && value.squaredNorm() > solved; ++iteration) {
-    const std::array<Vec, 2> step = newton_step(feet, guess, value);
-    if (!step[0].allFinite() || !step[1].allFinite()) break;
-    bool improved = false;
-    double part = 1;
-    for (int halving = 0; halving < most_halvings && !improved; ++halving, part /= 2) {
-      Feet trial;
-      for (int side = 0; side < 2; ++side) {
-        const Base_surface::Walk walk = surfaces_[side]->walk(feet[side], part * step[side]);
-        trial[side] = walk.end;
-        if (walk.blocked != Blend_mesh::null_halfedge()) solution.blocked = surfaces_[side]->position(walk.end);
-      }
-      const Residual next = residual(trial, guess);
-      improved = next.squaredNorm() < value.squaredNorm();
-      if (!improved) continue;
-      feet = trial;
-      value = next;
-    }
-    if (!improved) break;
-  }
-  if (!(value.squaredNorm() <= acceptable)) return solution;
+  const auto walk = [&](std::size_t side, const Surface_point& from, const Vec& displacement) {
+    const Base_surface::Walk walk = surfaces_[side]->walk(from, displacement);
+    if (walk.blocked != Blend_mesh::null_halfedge()) solution.blocked = surfaces_[side]->position(walk.end);
+    return walk.end;
+  };
+  if (!walk_to_ball(
+          feet, [&](const Feet& at) { return residual(at, guess); },
+          [&](const Feet& at, const Residual& value) { return newton_step(at, guess, value); }, walk))
+    return solution;
   solution.blocked.reset();
   Ball_position ball;
   ball.foot = feet;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "corner_ball.h"
 
+#include "walking_newton.h"
+
 #include <Eigen/Dense>
 
 #include <array>
@@ -10,11 +12,6 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr int most_iterations = 60;
-constexpr int most_halvings = 8;
-constexpr double longest_step = 0.7;   // of the radius
-constexpr double solved = 1e-22;       // squared residual, in units of the radius
-constexpr double acceptable = 1e-16;
 constexpr double same_ball = 1e-6;     // of the radius
 constexpr double least_volume = 1e-3;  // of the normals' determinant: flatter corners have no ball at rest
 
@@ -78,9 +75,7 @@ class Corner_solver {
     Eigen::Matrix<double, 6, 6> jacobian = Eigen::Matrix<double, 6, 6>::Zero();
     std::array<Eigen::Matrix<double, 3, 2>, 3> tangent;
     for (int i = 0; i < 3; ++i) {
-      const Base_surface::Frame& f = surface_.frame(feet[i].face);
-      tangent[i].col(0) = (f.corner[1] - f.corner[0]).stableNormalized();
-      tangent[i].col(1) = f.face_normal.cross(tangent[i].col(0));
+      tangent[i] = tangents(surface_.frame(feet[i].face));
       const Eigen::Matrix<double, 3, 2> moved = surface_.offset(feet[i], distance_).derivative * tangent[i] / radius();
       if (i == 0) {
         jacobian.block<3, 2>(0, 0) = jacobian.block<3, 2>(3, 0) = moved;
@@ -90,35 +85,18 @@ class Corner_solver {
     }
     const Residual step = -jacobian.colPivHouseholderQr().solve(value);
     std::array<Vec, 3> result;
-    double length = 0;
-    for (int i = 0; i < 3; ++i) {
-      result[i] = tangent[i] * step.segment<2>(2 * i);
-      length = std::max(length, result[i].norm());
-    }
-    if (length > longest_step * radius())
-      for (Vec& v : result) v *= longest_step * radius() / length;
+    for (int i = 0; i < 3; ++i) result[i] = tangent[i] * step.segment<2>(2 * i);
+    limit_steps(result, radius());
     return result;
   }
 
   bool iterate(Feet& feet) const {
-    Residual value = residual(feet);
-    for (int iteration = 0; iteration < most_iterations && value.squaredNorm() > solved; ++iteration) {
-      const std::array<Vec, 3> step = newton_step(feet, value);
-      if (!step[0].allFinite() || !step[1].allFinite() || !step[2].allFinite()) break;
-      bool improved = false;
-      double part = 1;
-      for (int halving = 0; halving < most_halvings && !improved; ++halving, part /= 2) {
-        Feet trial;
-        for (int i = 0; i < 3; ++i) trial[i] = surface_.walk(feet[i], part * step[i]).end;
-        const Residual next = residual(trial);
-        improved = next.squaredNorm() < value.squaredNorm();
-        if (!improved) continue;
-        feet = trial;
-        value = next;
-      }
-      if (!improved) break;
-    }
-    return value.squaredNorm() <= acceptable;
+    return walk_to_ball(
+        feet, [&](const Feet& at) { return residual(at); },
+        [&](const Feet& at, const Residual& value) { return newton_step(at, value); },
+        [&](std::size_t, const Surface_point& from, const Vec& displacement) {
+          return surface_.walk(from, displacement).end;
+        });
   }
 
   const Base_surface& surface_;

@@ -11,13 +11,19 @@
 
 namespace cgal_blend {
 
-/// Finds edges of a mesh by the exact places of their ends.
+/// Finds vertices of a mesh by their exact places, and edges by those of their ends.
 class Edge_finder {
  public:
   using Step = std::pair<Point_3, Point_3>;
 
   explicit Edge_finder(const Blend_mesh& mesh) : mesh_(mesh) {
     for (const Vertex v : mesh.vertices()) vertex_.emplace(mesh.point(v), v);
+  }
+
+  /// Returns the vertex at a place, or null.
+  [[nodiscard]] Vertex vertex(const Point_3& p) const {
+    const auto found = vertex_.find(p);
+    return found == vertex_.end() ? Blend_mesh::null_vertex() : found->second;
   }
 
   /// Returns the edges that there are; steps that are no edge are left out.
@@ -37,9 +43,9 @@ class Edge_finder {
 
  private:
   [[nodiscard]] Halfedge find(const Step& step) const {
-    const auto from = vertex_.find(step.first), to = vertex_.find(step.second);
-    if (from == vertex_.end() || to == vertex_.end()) return Blend_mesh::null_halfedge();
-    return mesh_.halfedge(from->second, to->second);
+    const Vertex from = vertex(step.first), to = vertex(step.second);
+    if (from == Blend_mesh::null_vertex() || to == Blend_mesh::null_vertex()) return Blend_mesh::null_halfedge();
+    return mesh_.halfedge(from, to);
   }
 
   const Blend_mesh& mesh_;

@@ -267,14 +267,16 @@ class Engine {
                                      const Base_surface& surface) const {
     // Blends that are to go on regardless end flat there.
     if (node.size() > 3 && !options_.keep_going) return "no ball touches all of the faces there";
-    const Blend_mesh& mesh = *body_.mesh;
-    if (node.size() == 2) {
-      const Halfedge in = into(node[0]), out = mesh.opposite(into(node[1]));
-      if (surface.fan(in) == surface.fan(mesh.prev(out)) &&
-          surface.fan(mesh.prev(mesh.opposite(in))) == surface.fan(mesh.opposite(out)))
-        return "the blends differ along one smooth curve; give it one radius that varies";
-    }
+    if (node.size() == 2 && is_one_curve(surface, into(node[0]), body_.mesh->opposite(into(node[1]))))
+      return "the blends differ along one smooth curve; give it one radius that varies";
     return nullptr;
+  }
+
+  /// True if the faces left of two consecutive edges are one smooth surface there, and so are those right of them.
+  static bool is_one_curve(const Base_surface& surface, Halfedge in, Halfedge out) {
+    const Blend_mesh& mesh = surface.mesh();
+    return surface.fan(in) == surface.fan(mesh.prev(out)) &&
+           surface.fan(mesh.prev(mesh.opposite(in))) == surface.fan(mesh.opposite(out));
   }
 
   [[nodiscard]] Halfedge into(const std::pair<std::size_t, int>& branch) const {
@@ -285,18 +287,17 @@ class Engine {
   /// Takes up the corners that an earlier pass has left: two branches and a blend that is there already.
   void resume_corners() {
     if (earlier_.corners.empty()) return;
-    std::map<Point_3, Vertex> vertex;
-    for (const Vertex v : body_.mesh->vertices()) vertex.emplace(body_.mesh->point(v), v);
+    const Edge_finder find(*body_.mesh);
     const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_, &blend_faces_);
     for (const Unfinished_corner& unfinished : earlier_.corners) {
       Blend_corner corner;
       std::array<std::vector<std::pair<std::size_t, int>>, 2> node;
       for (const int side : {0, 1}) {
-        const auto end = vertex.find(unfinished.ends[side]);
-        if (end != vertex.end() && nodes_.count(end->second)) node[side] = nodes_.at(end->second);
+        const auto end = nodes_.find(find.vertex(unfinished.ends[side]));
+        if (end != nodes_.end()) node[side] = end->second;
       }
       for (const Point_3& p : unfinished.chain)
-        if (const auto v = vertex.find(p); v != vertex.end()) corner.chain.push_back(v->second);
+        if (const Vertex v = find.vertex(p); v != Blend_mesh::null_vertex()) corner.chain.push_back(v);
       if (node[0].size() != 1 || node[1].size() != 1 || corner.chain.size() != unfinished.chain.size()) continue;
       corner.branches = {{Blend_corner::no_branch, 0}, node[1].front(), node[0].front()};
       corner.ball.center = to_vec(unfinished.center);
@@ -395,12 +396,8 @@ class Engine {
   [[nodiscard]] Curve_network<Blend_mesh> chain(const std::vector<Edge>& edges, double radius) const {
     if (!body_.own_surface) return make_curve_network(*body_.mesh, edges);
     const Base_surface surface(*body_.mesh, surface_options(smoothings[0], radius), &creases_, &blend_faces_);
-    const Blend_mesh& mesh = *body_.mesh;
-    return make_curve_network(mesh, edges, [&](Halfedge in, Halfedge out) {
-      // Left of `in` and of `out`, and right of them.
-      return surface.fan(in) == surface.fan(mesh.prev(out)) &&
-             surface.fan(mesh.prev(mesh.opposite(in))) == surface.fan(mesh.opposite(out));
-    });
+    return make_curve_network(*body_.mesh, edges,
+                              [&](Halfedge in, Halfedge out) { return is_one_curve(surface, in, out); });
   }
 
   [[nodiscard]] Base_surface::Options surface_options(const Smoothing& how, double radius) const {
@@ -800,15 +797,12 @@ class Engine {
       later.profile = job.own_profile;
       for (const Halfedge h : job.halfedges) {
         const auto divided = trimming.divided.find(work.edge(h));
-        if (divided == trimming.divided.end()) {
-          const Vertex a = work.source(h), b = work.target(h);
-          if (!filled.count({a, b}) && !filled.count({b, a})) later.edges.push_back(step(a, b));
-          continue;
-        }
-        for (std::size_t k = 0; k + 1 < divided->second.size(); ++k) {
-          const Vertex a = divided->second[k], b = divided->second[k + 1];
-          if (!filled.count({a, b}) && !filled.count({b, a})) later.edges.push_back(step(a, b));
-        }
+        const std::vector<Vertex> chain = divided != trimming.divided.end()
+                                              ? divided->second
+                                              : std::vector<Vertex>{work.source(h), work.target(h)};
+        for (std::size_t k = 0; k + 1 < chain.size(); ++k)
+          if (!filled.count({chain[k], chain[k + 1]}) && !filled.count({chain[k + 1], chain[k]}))
+            later.edges.push_back(step(chain[k], chain[k + 1]));
       }
     }
     for (const auto& [i, both] : ends)

@@ -2,6 +2,7 @@
 #ifndef CGAL_BLEND_SRC_FILLET_ENGINE_H
 #define CGAL_BLEND_SRC_FILLET_ENGINE_H
 
+#include "edge_finder.h"
 #include "fillet_body.h"
 
 #include <array>
@@ -13,7 +14,7 @@ namespace cgal_blend {
 
 /// A blend that has to wait for others at its corners, in terms of the mesh that these leave.
 struct Later_blend {
-  using Step = std::pair<Point_3, Point_3>;  ///< ends of an edge of that mesh, if it is one still
+  using Step = Edge_finder::Step;  ///< ends of an edge of that mesh, if it is one still
 
   double radius = 0;
   std::optional<Radius_law> law;  ///< along what is left of the branch
