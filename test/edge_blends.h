@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -22,6 +23,27 @@ namespace cgal_blend::test {
 /// Between two perpendicular faces and the arc that touches both: area, and distance of the centroid from either face.
 inline double spandrel(double r) { return (1 - pi / 4) * r * r; }
 inline double spandrel_centroid(double r) { return r * (5.0 / 6 - pi / 4) / (1 - pi / 4); }
+
+/// Expects a radius to be refused by name with the largest radius that works, that this one does, and 1.02 times it does
+/// not. Returns it.
+inline std::optional<double> expect_largest_radius(const Blend_mesh& mesh, const std::vector<Edge>& edges, double radius,
+                                                   const Fillet_options& options) {
+  Blend_mesh out;
+  const auto run = [&](double r) { return unchecked::fillet_edges(mesh, {{edges, r}}, out, options); };
+  const Fillet_outcome refused = run(radius);
+  EXPECT_FALSE(refused.ok());
+  if (refused.ok()) return std::nullopt;
+  EXPECT_EQ(status_class(refused.diagnosis.status), Status_class::blend) << message(refused.diagnosis);
+  EXPECT_EQ(out.number_of_faces(), 0u);
+  EXPECT_TRUE(refused.diagnosis.max_radius) << message(refused.diagnosis);
+  if (!refused.diagnosis.max_radius) return std::nullopt;
+  const double most = *refused.diagnosis.max_radius;
+  const Fillet_outcome fits = run(most);
+  EXPECT_TRUE(fits.ok()) << most << ": " << message(fits.diagnosis);
+  EXPECT_TRUE(validate(out).ok());
+  EXPECT_FALSE(run(1.02 * most).ok()) << "a larger ball than " << most << " fits";
+  return most;
+}
 
 /// Edges with faces at more than a degree whose two ends fulfil a condition.
 template <class Condition>

@@ -567,22 +567,10 @@ TEST(Fillet_corners, LargestRadiusIsTold) {
       {"tetrahedron", tetrahedron, all_creases(tetrahedron), 0.65, 1 / std::sqrt(3.0)}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.what);
-    Blend_mesh out;
-    const auto run = [&](double r) {
-      return unchecked::fillet_edges(c.mesh, {{c.edges, r}}, out, options_of(0, 5e-3));
-    };
-    const Fillet_outcome refused = run(c.radius);
-    EXPECT_FALSE(refused.ok());
-    if (refused.ok()) continue;
-    EXPECT_EQ(status_class(refused.diagnosis.status), Status_class::blend) << message(refused.diagnosis);
-    EXPECT_EQ(out.number_of_faces(), 0u);
-    EXPECT_TRUE(refused.diagnosis.max_radius) << message(refused.diagnosis);
-    if (!refused.diagnosis.max_radius) continue;
-    const double most = *refused.diagnosis.max_radius;
-    const Fillet_outcome fits = run(most);
-    EXPECT_TRUE(fits.ok()) << most << ": " << message(fits.diagnosis);
-    EXPECT_FALSE(run(1.02 * most).ok()) << "a larger ball than " << most << " fits";
-    EXPECT_NEAR(most, c.limit, 0.1 * c.limit);
+    const auto most = expect_largest_radius(c.mesh, c.edges, c.radius, options_of(0, 5e-3));
+    if (most) {
+      EXPECT_NEAR(*most, c.limit, 0.1 * c.limit);
+    }
   }
 }
 
@@ -665,9 +653,31 @@ void expect_valid_or_refused(const Fillet_outcome& outcome, const Blend_mesh& ou
   EXPECT_EQ(out.number_of_faces(), 0u);
 }
 
-TEST(Fillet_corners, SimplePolytopesAtRandom) {
+/// What has become of blends of bodies at random.
+struct Tally {
   int tried = 0, done = 0;
   std::map<std::string, int> refusals;
+
+  /// Expects a valid result, or a refusal; true if it is the first.
+  bool blend(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, double chord_tolerance, Blend_mesh& out) {
+    Fillet_options options = options_of(0, chord_tolerance);
+    options.smooth_angle = 1;  // there are blunt edges
+    const Fillet_outcome outcome = unchecked::fillet_edges(mesh, blends, out, options);
+    ++tried;
+    expect_valid_or_refused(outcome, out);
+    ++(outcome.ok() ? done : refusals[name(outcome.diagnosis.status)]);
+    return outcome.ok();
+  }
+
+  void print(const char* what) const {
+    std::string counts;
+    for (const auto& [status, count] : refusals) counts += ", " + std::to_string(count) + " " + status;
+    std::cout << what << ": " << done << " of " << tried << " blended" << counts << "\n";
+  }
+};
+
+TEST(Fillet_corners, SimplePolytopesAtRandom) {
+  Tally tally;
   for (const unsigned seed : {0u, 3u, 4u, 5u, 6u, 7u, 12u, 13u}) {
     std::mt19937 random(seed);
     const Polytope body = random_simple_polytope(random);
@@ -682,16 +692,7 @@ TEST(Fillet_corners, SimplePolytopesAtRandom) {
                    std::to_string(r));
       const double tolerance = 2e-2;
       Blend_mesh out;
-      Fillet_options options = options_of(0, tolerance);
-      options.smooth_angle = 1;  // there are blunt edges
-      const Fillet_outcome outcome = unchecked::fillet_edges(mesh, choice.blends, out, options);
-      ++tried;
-      expect_valid_or_refused(outcome, out);
-      if (!outcome.ok()) {
-        ++refusals[name(outcome.diagnosis.status)];
-        continue;
-      }
-      ++done;
+      if (!tally.blend(mesh, choice.blends, tolerance, out)) continue;
       Rounded_polytope rounded(body);
       std::map<std::size_t, int> degree;
       for (const std::size_t k : choice.chosen) {
@@ -731,15 +732,12 @@ TEST(Fillet_corners, SimplePolytopesAtRandom) {
       }
     }
   }
-  std::string counts;
-  for (const auto& [what, count] : refusals) counts += ", " + std::to_string(count) + " " + what;
-  std::cout << "simple polytopes: " << done << " of " << tried << " blended" << counts << "\n";
-  EXPECT_GT(2 * done, tried);
+  tally.print("simple polytopes");
+  EXPECT_GT(2 * tally.done, tally.tried);
 }
 
 TEST(Fillet_corners, HullsAtRandom) {
-  int tried = 0, done = 0;
-  std::map<std::string, int> refusals;
+  Tally tally;
   for (unsigned seed = 0; seed < 4; ++seed) {
     std::mt19937 random(100 + seed);
     std::vector<Vec3> points;
@@ -753,24 +751,13 @@ TEST(Fillet_corners, HullsAtRandom) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", share " + std::to_string(share) + ", radius " +
                      std::to_string(r));
         Blend_mesh out;
-        Fillet_options options = options_of(0, 5e-2);
-        options.smooth_angle = 1;
-        const Fillet_outcome outcome = unchecked::fillet_edges(mesh, choice.blends, out, options);
-        ++tried;
-        expect_valid_or_refused(outcome, out);
-        if (!outcome.ok()) {
-          ++refusals[name(outcome.diagnosis.status)];
-          continue;
-        }
-        ++done;
+        if (!tally.blend(mesh, choice.blends, 5e-2, out)) continue;
         // No ball inside the body is cut: the result holds the body with all edges rounded.
         EXPECT_LT(volume_of(out), body.volume());
         EXPECT_GT(volume_of(out), rounded_volume(body, r) - 5e-2 * r * body.area());
       }
   }
-  std::string counts;
-  for (const auto& [what, count] : refusals) counts += ", " + std::to_string(count) + " " + what;
-  std::cout << "hulls: " << done << " of " << tried << " blended" << counts << "\n";
+  tally.print("hulls");
 }
 
 // Fails for some: small balls along edges with acute faces are refused (no_rolling_ball) in one direction of the edge,

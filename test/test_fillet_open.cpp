@@ -401,20 +401,7 @@ TEST(Fillet_open, LargestRadiusIsTold) {
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(c.what);
-    Blend_mesh out;
-    const auto run = [&](double r) { return unchecked::fillet_edges(c.mesh, {{c.edges, r}}, out, options_of(0)); };
-    const Fillet_outcome refused = run(c.radius);
-    EXPECT_FALSE(refused.ok());
-    if (refused.ok()) continue;
-    EXPECT_EQ(status_class(refused.diagnosis.status), Status_class::blend) << message(refused.diagnosis);
-    EXPECT_EQ(out.number_of_faces(), 0u);
-    EXPECT_TRUE(refused.diagnosis.max_radius) << message(refused.diagnosis);
-    if (!refused.diagnosis.max_radius) continue;
-    const double most = *refused.diagnosis.max_radius;
-    const Fillet_outcome fits = run(most);
-    EXPECT_TRUE(fits.ok()) << message(fits.diagnosis);
-    EXPECT_TRUE(validate(out).ok());
-    EXPECT_FALSE(run(1.02 * most).ok()) << "a larger ball than " << most << " fits";
+    expect_largest_radius(c.mesh, c.edges, c.radius, options_of(0));
   }
 }
 
