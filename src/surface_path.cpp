@@ -90,8 +90,7 @@ class Path_builder {
     for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(face))) {
       const Vec s = to_vec(mesh_.point(mesh_.source(h))), e = to_vec(mesh_.point(mesh_.target(h))) - s;
       const Vec foot = s + std::clamp((p - s).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
-      const bool border = !may_cross(h) || !may_cross(mesh_.next(h));
-      if (border && (p - to_vec(mesh_.point(mesh_.target(h)))).norm() < snap_)
+      if ((p - to_vec(mesh_.point(mesh_.target(h)))).norm() < snap_ && at_sharp_edge(mesh_.target(h)))
         return on_vertex(mesh_, {{Station::Kind::face, face, Halfedge(), Vertex(), p}, no_point}, mesh_.target(h));
       if (!may_cross(h) && (p - foot).norm() < snap_) return snapped(on_edge(mesh_, h, foot));
     }
@@ -107,6 +106,11 @@ class Path_builder {
 
  private:
   [[nodiscard]] bool may_cross(Halfedge h) const { return cross_creases_ || surface_.crossable(h); }
+
+  [[nodiscard]] bool at_sharp_edge(Vertex v) const {
+    const auto around = mesh_.halfedges_around_target(mesh_.halfedge(v));
+    return std::any_of(around.begin(), around.end(), [&](Halfedge h) { return !may_cross(h); });
+  }
 
   /// The smooth faces that a station belongs to, first the one that it was found in.
   [[nodiscard]] std::vector<Face> faces_at(const Draft& draft) const {
