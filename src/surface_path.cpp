@@ -11,6 +11,8 @@ namespace cgal_blend {
 namespace {
 
 constexpr int longest_section = 100000;  // faces
+constexpr double widest_detour = 0.5;    // of a section, over the distance of its ends
+constexpr double detour_of_corner = 3;   // the same where it may cross sharp edges
 constexpr double flat_of_snap = 1e-6;    // vertices nearer to a section lie in it
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
@@ -50,8 +52,14 @@ class Path_builder {
     if (std::find_first_of(starts.begin(), starts.end(), ends.begin(), ends.end()) != starts.end()) return true;
     const std::size_t size = out.size();
     for (const Face start : starts) {
-      if (trace_from(start, ends, from.point, to.point, normal, out)) return true;
-      out.resize(size);
+      Halfedge entered;  // round an acute corner the way on may be farther back than the edge that it starts on
+      if (from.kind == Station::Kind::edge)
+        entered = mesh_.face(from.edge) == start ? from.edge : mesh_.opposite(from.edge);
+      for (const double ahead : {1.0, -1.0}) {
+        if (ahead < 0 && !cross_creases_) break;
+        if (trace_from(start, entered, ends, from.point, to.point, normal, ahead, out)) return true;
+        out.resize(size);
+      }
     }
     return false;
   }
@@ -100,7 +108,7 @@ class Path_builder {
   /// The first sharp edge on the way from a point inside towards another.
   [[nodiscard]] std::optional<Draft> leave(Face face, const Vec& a, const Vec& b, const Vec& normal) const {
     std::vector<Draft> crossed;
-    if (!trace_from(face, {}, a, b, normal, crossed)) return std::nullopt;
+    if (!trace_from(face, Halfedge(), {}, a, b, normal, 1, crossed)) return std::nullopt;
     return crossed.back();
   }
 
@@ -128,8 +136,10 @@ class Path_builder {
     return faces;
   }
 
-  bool trace_from(Face face, const std::vector<Face>& ends, const Vec& a, const Vec& b, const Vec& normal,
-                  std::vector<Draft>& out) const {
+  /// \param entered an edge that the section does not leave the first face by; may be null
+  /// \param first 1 or -1: towards b, or round a corner that is nearer the other way
+  bool trace_from(Face face, Halfedge entered, const std::vector<Face>& ends, const Vec& a, const Vec& b,
+                  const Vec& normal, double first, std::vector<Draft>& out) const {
     const Vec plane = (b - a).cross(normal).stableNormalized();
     const auto height = [&](Vertex v) {  // zero counts as above: consistent at each vertex
       const double h = (to_vec(mesh_.point(v)) - a).dot(plane);
@@ -139,7 +149,6 @@ class Path_builder {
       const double t = hs / (hs - ht);
       return (1 - t) * to_vec(mesh_.point(mesh_.source(h))) + t * to_vec(mesh_.point(mesh_.target(h)));
     };
-    Halfedge entered;
     const double distance = (b - a).squaredNorm();
     for (int step = 0; step < longest_section; ++step) {
       Halfedge exit;
@@ -151,7 +160,8 @@ class Path_builder {
         if ((hs >= 0) == (ht >= 0)) continue;
         const Vec x = crossing(h, hs, ht);
         const double ahead = (x - a).dot(b - a);
-        if (exit != Blend_mesh::null_halfedge() && ahead <= progress) continue;
+        const double sign = step == 0 ? first : 1;
+        if (exit != Blend_mesh::null_halfedge() && sign * ahead <= sign * progress) continue;
         exit = h;
         at = x;
         progress = ahead;
@@ -161,7 +171,8 @@ class Path_builder {
         if (ends.empty()) out.push_back(on_edge(mesh_, exit, at));
         return ends.empty();
       }
-      if (progress > 1.5 * distance || progress < -0.5 * distance) return false;
+      const double detour = cross_creases_ ? detour_of_corner : widest_detour;
+      if (progress > (1 + detour) * distance || progress < -detour * distance) return false;
       out.push_back(on_edge(mesh_, exit, at));
       entered = mesh_.opposite(exit);
       face = mesh_.face(entered);
@@ -193,8 +204,8 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
       const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
       if (gone[i] || gone[before] || (!closed && i == 0)) continue;
       const bool repeated = same_place(path[before], path[i], snap);
-      const bool spike = (closed || i + 1 < n) && !gone[after] && after != before && path[before].kind != Station::Kind::face &&
-                         same_place(path[before], path[after], snap);
+      const bool spike = (closed || i + 1 < n) && !gone[after] && after != before &&
+                         path[before].kind != Station::Kind::face && same_place(path[before], path[after], snap);
       if (!repeated && !spike) continue;
       if (repeated && path[i].point_index != no_point && path[before].point_index == no_point &&
           path[i].kind != Station::Kind::vertex)
@@ -258,7 +269,8 @@ std::optional<Surface_path> open_path(const Base_surface& surface, const std::ve
     drafts.push_back(given[i]);
     if (i + 1 == points.size()) break;
     const Vec normal = surface.frame(given[i].face).face_normal + surface.frame(given[i + 1].face).face_normal;
-    if (!builder.trace(given[i], given[i + 1], normal, drafts)) {
+    const bool ruled = !rules.ruling.isZero() && builder.trace(given[i], given[i + 1], rules.ruling, drafts);
+    if (!ruled && !builder.trace(given[i], given[i + 1], normal, drafts)) {
       stuck = i + 1;
       return std::nullopt;
     }

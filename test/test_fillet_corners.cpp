@@ -409,7 +409,6 @@ TEST(Fillet_corners, ThreeRadiiAtACorner) {
     blend_three_radii(r);
 }
 
-// Fails: refused (blend_collides) as the edges run here, but blended where they run the other way.
 TEST(Fillet_corners, TwoLargeRadiiAndASmallerAtACorner) { blend_three_radii({2, 2, 1}); }
 
 // A cylinder cut in half: arcs of many small edges meet straight ones.
@@ -559,6 +558,8 @@ TEST(Fillet_corners, LargestRadiusIsTold) {
   };
   const std::vector<Case> cases{
       {"box", brick, all_creases(brick), 3.6, 3},
+      {"rim of a box", brick,
+       edges_where(brick, [](const Point_3& p, const Point_3& q) { return p.z() == 6 && q.z() == 6; }), 4.8, 4},
       {"bracket", l, all_creases(l), 2.4, 2},
       {"pyramid", roof, all_creases(roof), 2.5, 5 / (1 + std::sqrt(2.0))},
       {"tetrahedron", tetrahedron, all_creases(tetrahedron), 0.65, 1 / std::sqrt(3.0)}};
@@ -757,9 +758,7 @@ TEST(Fillet_corners, HullsAtRandom) {
   tally.print("hulls");
 }
 
-// Fails for some: small balls along edges with acute faces are refused (no_rolling_ball) in one direction of the edge,
-// and blended in the other.
-TEST(Fillet_corners, DISABLED_OneEdgeOfAHull) {
+TEST(Fillet_corners, OneEdgeOfAHull) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     std::mt19937 random(100 + seed);
     std::vector<Vec3> points;
