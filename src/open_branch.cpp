@@ -92,7 +92,7 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
     points.push_back(station_at(surface, positions[i].foot[side], 0));
   }
   points.push_back(ends[1].rim[side]);
-  auto path = open_path(surface, points, {snap, false, Vec::Zero()}, stuck);
+  auto path = open_path(surface, points, {snap}, stuck);
   if (!path) {
     stuck = std::min(rim.first + std::max<std::size_t>(stuck, 1) - 1, positions.size() - 1);
     return std::nullopt;
@@ -273,7 +273,7 @@ class End_assembler {
     const Face beside = base.face(side == end_.left() ? end_.into : base.opposite(end_.into));
     const Station vertex = station_at(*branch_.surface, beside, end_.vertex(base));
     std::size_t stuck = 0;
-    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {snap_, false, Vec::Zero()}, stuck);
+    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {snap_}, stuck);
     if (!path) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
     Rim seam;
     seam.surface = branch_.surface.get();

@@ -281,9 +281,11 @@ class Strip_ender {
     }
     stations.push_back(beyond(1));
     std::size_t stuck = 0;
+    const std::vector<Face> reached = faces_beyond(surface_, end_);
+    const std::unordered_set<Face> beyond_faces(reached.begin(), reached.end());
     const std::size_t last = result_.end.last[rows_.size() / 2];
     const Vec ruling = positions_[end_.end == 1 ? last + 1 : last - 1].center - positions_[last].center;
-    result_.end.path = open_path(surface_, stations, {snap_ / 16, true, ruling}, stuck);
+    result_.end.path = open_path(surface_, stations, {snap_ / 16, true, ruling, &beyond_faces}, stuck);
     if (!result_.end.path) return refuse(Status::no_rolling_ball, stations[stuck].point);
     for (std::size_t k = 0; k < rows_.size(); ++k)
       result_.end.hit[k] = result_.end.path->stations[result_.end.path->station_of[k]].point;

@@ -42,8 +42,12 @@ bool same_place(const Draft& a, const Draft& b, double snap) {
 
 class Path_builder {
  public:
-  Path_builder(const Base_surface& surface, double snap, bool cross_creases = false)
-      : surface_(surface), mesh_(surface.mesh()), snap_(snap), cross_creases_(cross_creases) {}
+  Path_builder(const Base_surface& surface, const Path_rules& rules)
+      : surface_(surface),
+        mesh_(surface.mesh()),
+        snap_(rules.snap),
+        cross_creases_(rules.cross_creases),
+        within_(rules.within) {}
 
   /// Appends the edges crossed between two stations; false if the section misses the second. A station on an edge or a
   /// vertex is in all faces there: where the path runs along edges, rounding decides on which side of them.
@@ -122,16 +126,20 @@ class Path_builder {
 
   /// The smooth faces that a station belongs to, first the one that it was found in.
   [[nodiscard]] std::vector<Face> faces_at(const Draft& draft) const {
-    std::vector<Face> faces{draft.face};
+    std::vector<Face> faces;
+    const auto add = [&](Face f) {
+      if (!within_ || within_->count(f)) faces.push_back(f);
+    };
+    add(draft.face);
     if (draft.kind == Station::Kind::edge)
       for (const Halfedge h : {draft.edge, mesh_.opposite(draft.edge)})
-        if (mesh_.face(h) != draft.face) faces.push_back(mesh_.face(h));
+        if (mesh_.face(h) != draft.face) add(mesh_.face(h));
     if (draft.kind == Station::Kind::vertex) {
       Halfedge corner = mesh_.halfedge(draft.face);
       while (mesh_.target(corner) != draft.vertex) corner = mesh_.next(corner);
       const Halfedge fan = surface_.fan(corner);
       for (const Halfedge h : mesh_.halfedges_around_target(corner))
-        if (h != corner && (cross_creases_ || surface_.fan(h) == fan)) faces.push_back(mesh_.face(h));
+        if (h != corner && (cross_creases_ || surface_.fan(h) == fan)) add(mesh_.face(h));
     }
     return faces;
   }
@@ -171,6 +179,7 @@ class Path_builder {
         if (ends.empty()) out.push_back(on_edge(mesh_, exit, at));
         return ends.empty();
       }
+      if (within_ && !within_->count(mesh_.face(mesh_.opposite(exit)))) return false;
       const double detour = cross_creases_ ? detour_of_corner : widest_detour;
       if (progress > (1 + detour) * distance || progress < -detour * distance) return false;
       out.push_back(on_edge(mesh_, exit, at));
@@ -189,6 +198,7 @@ class Path_builder {
   const Blend_mesh& mesh_;
   double snap_;
   bool cross_creases_;
+  const std::unordered_set<Face>* within_;
 };
 
 /// Merges neighbours that fell together and takes out spikes a-b-a; the given points move along.
@@ -231,7 +241,7 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
 
 std::optional<Surface_path> closed_path(const Base_surface& surface, const std::vector<Surface_point>& points,
                                         double snap, std::size_t& stuck) {
-  const Path_builder builder(surface, snap);
+  const Path_builder builder(surface, {snap});
   std::vector<Draft> given, drafts;
   for (std::size_t i = 0; i < points.size(); ++i)
     given.push_back(
@@ -258,7 +268,7 @@ std::optional<Surface_path> closed_path(const Base_surface& surface, const std::
 
 std::optional<Surface_path> open_path(const Base_surface& surface, const std::vector<Station>& points,
                                       const Path_rules& rules, std::size_t& stuck) {
-  const Path_builder builder(surface, rules.snap, rules.cross_creases);
+  const Path_builder builder(surface, rules);
   std::vector<Draft> given, drafts;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Draft draft{points[i], i};
@@ -292,7 +302,7 @@ std::optional<Surface_path> open_path(const Base_surface& surface, const std::ve
 
 std::optional<Station> leaving_station(const Base_surface& surface, const Surface_point& inside, const Vec& outside,
                                        double snap) {
-  const Path_builder builder(surface, snap);
+  const Path_builder builder(surface, {snap});
   if (const auto there = builder.on_border(inside.face, surface.position(inside))) return *there;
   const auto draft = builder.leave(inside.face, surface.position(inside), outside, surface.normal(inside));
   if (!draft) return std::nullopt;
@@ -300,7 +310,7 @@ std::optional<Station> leaving_station(const Base_surface& surface, const Surfac
 }
 
 Station station_at(const Base_surface& surface, const Surface_point& at, double snap) {
-  return Path_builder(surface, snap)
+  return Path_builder(surface, {snap})
       .snapped({{Station::Kind::face, at.face, Halfedge(), Vertex(), surface.position(at)}, no_point});
 }
 
