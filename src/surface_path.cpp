@@ -40,6 +40,13 @@ bool same_place(const Draft& a, const Draft& b, double snap) {
   return a.face == b.face && (a.point - b.point).norm() < snap;
 }
 
+/// How a section is followed from one point to the next.
+struct Way {
+  bool leaves_edge = false;  ///< not by the edge that it starts on
+  double ahead = 1;          ///< 1 or -1: sets out towards the next point, or away from it
+  double detour = widest_detour;
+};
+
 class Path_builder {
  public:
   Path_builder(const Base_surface& surface, const Path_rules& rules)
@@ -55,16 +62,17 @@ class Path_builder {
     const std::vector<Face> starts = faces_at(from), ends = faces_at(to);
     if (std::find_first_of(starts.begin(), starts.end(), ends.begin(), ends.end()) != starts.end()) return true;
     const std::size_t size = out.size();
-    for (const Face start : starts) {
-      Halfedge entered;  // round an acute corner the way on may be farther back than the edge that it starts on
-      if (from.kind == Station::Kind::edge)
-        entered = mesh_.face(from.edge) == start ? from.edge : mesh_.opposite(from.edge);
-      for (const double ahead : {1.0, -1.0}) {
-        if (ahead < 0 && !cross_creases_) break;
-        if (trace_from(start, entered, ends, from.point, to.point, normal, ahead, out)) return true;
-        out.resize(size);
-      }
-    }
+    // Round an acute corner the way on may be farther back than the place that it starts from.
+    constexpr std::array<Way, 3> ways{{{}, {true, 1, detour_of_corner}, {true, -1, detour_of_corner}}};
+    for (const Way& way : ways)
+      if (&way == &ways.front() || cross_creases_)
+        for (const Face start : starts) {
+          Halfedge entered;
+          if (way.leaves_edge && from.kind == Station::Kind::edge)
+            entered = mesh_.face(from.edge) == start ? from.edge : mesh_.opposite(from.edge);
+          if (trace_from(start, entered, ends, from.point, to.point, normal, way, out)) return true;
+          out.resize(size);
+        }
     return false;
   }
 
@@ -112,7 +120,7 @@ class Path_builder {
   /// The first sharp edge on the way from a point inside towards another.
   [[nodiscard]] std::optional<Draft> leave(Face face, const Vec& a, const Vec& b, const Vec& normal) const {
     std::vector<Draft> crossed;
-    if (!trace_from(face, Halfedge(), {}, a, b, normal, 1, crossed)) return std::nullopt;
+    if (!trace_from(face, Halfedge(), {}, a, b, normal, {}, crossed)) return std::nullopt;
     return crossed.back();
   }
 
@@ -145,9 +153,8 @@ class Path_builder {
   }
 
   /// \param entered an edge that the section does not leave the first face by; may be null
-  /// \param first 1 or -1: towards b, or round a corner that is nearer the other way
   bool trace_from(Face face, Halfedge entered, const std::vector<Face>& ends, const Vec& a, const Vec& b,
-                  const Vec& normal, double first, std::vector<Draft>& out) const {
+                  const Vec& normal, const Way& way, std::vector<Draft>& out) const {
     const Vec plane = (b - a).cross(normal).stableNormalized();
     const auto height = [&](Vertex v) {  // zero counts as above: consistent at each vertex
       const double h = (to_vec(mesh_.point(v)) - a).dot(plane);
@@ -168,7 +175,7 @@ class Path_builder {
         if ((hs >= 0) == (ht >= 0)) continue;
         const Vec x = crossing(h, hs, ht);
         const double ahead = (x - a).dot(b - a);
-        const double sign = step == 0 ? first : 1;
+        const double sign = step == 0 ? way.ahead : 1;
         if (exit != Blend_mesh::null_halfedge() && sign * ahead <= sign * progress) continue;
         exit = h;
         at = x;
@@ -180,8 +187,7 @@ class Path_builder {
         return ends.empty();
       }
       if (within_ && !within_->count(mesh_.face(mesh_.opposite(exit)))) return false;
-      const double detour = cross_creases_ ? detour_of_corner : widest_detour;
-      if (progress > (1 + detour) * distance || progress < -detour * distance) return false;
+      if (progress > (1 + way.detour) * distance || progress < -way.detour * distance) return false;
       out.push_back(on_edge(mesh_, exit, at));
       entered = mesh_.opposite(exit);
       face = mesh_.face(entered);
