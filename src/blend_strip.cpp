@@ -86,8 +86,8 @@ std::vector<Vertex> border_between(Vertex low, const std::vector<Vertex>& betwee
 
 /// Fills the space between two rows, from one profile that both have to the next. At the ends of an open strip the last
 /// cell is filled across, from the rows' last vertices to the border: no triangle has all its corners on that.
-void zip_rows(const Blend_mesh& mesh, const Row& low, const Row& high, const std::array<const Strip_border*, 2>& ends, std::size_t k,
-              std::vector<Triangle>& out) {
+void zip_rows(const Blend_mesh& mesh, const Row& low, const Row& high, const std::array<const Strip_border*, 2>& ends,
+              std::size_t k, std::vector<Triangle>& out) {
   std::array<std::size_t, 2> begin{0, 0}, end{low.chain.size() - 1, high.chain.size() - 1};
   const auto roomy = [&] { return end[0] - begin[0] > 1 && end[1] - begin[1] > 1; };
   if (ends[0] && roomy()) {
@@ -95,9 +95,11 @@ void zip_rows(const Blend_mesh& mesh, const Row& low, const Row& high, const std
     zip(mesh, {low.chain[1], high.chain[1]}, border_between(low.chain[0], ends[0]->between[k], high.chain[0]), out);
   }
   if (ends[1] && end[0] > begin[0] && end[1] > begin[1]) {
-    zip(mesh, border_between(low.chain[end[0]], ends[1]->between[k], high.chain[end[1]]),
-        {low.chain[end[0] - 1], high.chain[end[1] - 1]}, out);
+    const std::vector<Vertex> border = border_between(low.chain[end[0]], ends[1]->between[k], high.chain[end[1]]);
     end = {end[0] - 1, end[1] - 1};
+    const bool from_border = ends[0] && end[0] == 0 && end[1] == 0;  // one cell is all that lies between the ends
+    const std::vector<Vertex> none, &between = from_border ? ends[0]->between[k] : none;
+    zip(mesh, border, border_between(low.chain[end[0]], between, high.chain[end[1]]), out);
   }
   std::vector<std::array<std::size_t, 2>> stops{begin};
   for (const auto& [profile, index] : low.at) {
@@ -144,8 +146,7 @@ Strip tessellate_strip(Blend_mesh& mesh, const Virtual_surface& surface, const s
         strip.profile_of.push_back(i);
       }
   for (std::size_t k = 1; k + 1 < rows.size(); ++k) row[k] = inner_row(inner[k], first[k], ends, k);
-  for (std::size_t k = 0; k + 1 < rows.size(); ++k)
-    zip_rows(mesh, row[k], row[k + 1], ends, k, strip.triangles);
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) zip_rows(mesh, row[k], row[k + 1], ends, k, strip.triangles);
   return strip;
 }
 
@@ -171,9 +172,9 @@ std::optional<Vec> find_fold(const Blend_mesh& mesh, const Strip& strip, double 
   for (std::size_t k = 0; k < triangles.size(); ++k)
     for (int i = 0; i < 3; ++i) {
       const auto other = triangle_of.find(key(triangles[k][(i + 1) % 3], triangles[k][i]));
-      const bool counts = other != triangle_of.end() && triangle_of.count(key(triangles[k][i], triangles[k][(i + 1) % 3]));
-      if (counts && normals[k].dot(normals[other->second]) < least_cosine)
-        return to_vec(mesh.point(triangles[k][i]));
+      const bool counts =
+          other != triangle_of.end() && triangle_of.count(key(triangles[k][i], triangles[k][(i + 1) % 3]));
+      if (counts && normals[k].dot(normals[other->second]) < least_cosine) return to_vec(mesh.point(triangles[k][i]));
     }
   return std::nullopt;
 }

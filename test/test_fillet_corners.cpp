@@ -78,8 +78,7 @@ TEST(Fillet_corners, OneCornerOfABox) {
   expect_change(b, -3 * spandrel(r) * (10 - r) - r * r * r * (1 - pi / 6), 4e-3);
 }
 
-// Fails: refused (blends_overlap) from r = 4.25 on as the edges run here, but blended where they run the other way.
-TEST(Fillet_corners, DISABLED_LargeBallInACornerOfABox) {
+TEST(Fillet_corners, LargeBallInACornerOfABox) {
   const Blend_mesh mesh = box({0, 0, 0}, {10, 8, 6});
   const auto corner = [](const Point_3& p) { return p == Point_3(0, 0, 0); };
   const std::vector<Edge> edges =
