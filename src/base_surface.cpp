@@ -11,7 +11,6 @@ namespace cgal_blend {
 namespace {
 
 constexpr int longest_walk = 4096;  // faces; a walk is a Newton step, a few ball radii long
-constexpr double least_departure = 0.02;  // sine of the angle between an edge and the direction that leaves across it
 
 }  // namespace
 
@@ -19,8 +18,12 @@ double angle_between(const Vec& a, const Vec& b) { return std::atan2(a.cross(b).
 
 Base_surface::Base_surface(const Blend_mesh& mesh, const Options& options, const std::unordered_set<Edge>* creases,
                            const std::unordered_set<Face>* blends)
-    : mesh_(mesh), options_(options), cos_smooth_(std::cos(options.smooth_angle * pi / 180)), creases_(creases), blends_(blends),
-      first_extension_(static_cast<std::uint32_t>(mesh.number_of_faces() + mesh.number_of_removed_faces())) {}
+    : mesh_(mesh),
+      options_(options),
+      cos_smooth_(std::cos(options.smooth_angle * pi / 180)),
+      creases_(creases),
+      blends_(blends),
+      first_virtual_(static_cast<std::uint32_t>(mesh.number_of_faces() + mesh.number_of_removed_faces())) {}
 
 Vec Base_surface::raw_normal(Face face) const {
   const Halfedge h = mesh_.halfedge(face);
@@ -135,7 +138,7 @@ const Base_surface::Frame& Base_surface::frame(Face face) const {
   f.halfedge[1] = mesh_.next(f.halfedge[0]);
   f.halfedge[2] = mesh_.next(f.halfedge[1]);
   for (int i = 0; i < 3; ++i) {
-    f.corner[i] = to_vec(mesh_.point(mesh_.target(f.halfedge[i])));
+    f.corner[i] = f.place[i] = to_vec(mesh_.point(mesh_.target(f.halfedge[i])));
     f.normal[i] = corner_normal(f.halfedge[i], options_.smoothing_passes);
   }
   const Vec cross = (f.corner[1] - f.corner[0]).cross(f.corner[2] - f.corner[0]);
@@ -148,7 +151,7 @@ const Base_surface::Frame& Base_surface::frame(Face face) const {
 
 Vec Base_surface::position(const Surface_point& at) const {
   const Frame& f = frame(at.face);
-  return at.bary[0] * f.corner[0] + at.bary[1] * f.corner[1] + at.bary[2] * f.corner[2];
+  return at.bary[0] * f.place[0] + at.bary[1] * f.place[1] + at.bary[2] * f.place[2];
 }
 
 Vec Base_surface::normal(const Surface_point& at) const {
@@ -159,21 +162,22 @@ Vec Base_surface::normal(const Surface_point& at) const {
 Base_surface::Offset Base_surface::offset(const Surface_point& at, double distance) const {
   const Frame& f = frame(at.face);
   Vec p = Vec::Zero(), n = Vec::Zero();
-  Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero(), moved = Eigen::Matrix3d::Identity();
+  if (is_virtual(at.face)) moved.setZero();
   for (int i = 0; i < 3; ++i) {
-    p += at.bary[i] * f.corner[i];
+    p += at.bary[i] * f.place[i];
     n += at.bary[i] * f.normal[i];
     gradient += f.normal[i] * f.gradient[i].transpose();
+    if (is_virtual(at.face)) moved += f.place[i] * f.gradient[i].transpose();
   }
   const double length = n.norm();
   const Vec unit = n / length;
   const Eigen::Matrix3d project = Eigen::Matrix3d::Identity() - unit * unit.transpose();
-  return {p + distance * unit, Eigen::Matrix3d::Identity() + distance / length * project * gradient};
+  return {p + distance * unit, moved + distance / length * project * gradient};
 }
 
 double Base_surface::normal_curvature(const Surface_point& at, const Vec& direction) const {
-  const Offset unit = offset(at, 1);
-  return direction.dot((unit.derivative - Eigen::Matrix3d::Identity()) * direction);
+  return direction.dot((offset(at, 1).derivative - offset(at, 0).derivative) * direction);
 }
 
 Surface_point Base_surface::locate(Face face, const Vec& p) const {
@@ -221,76 +225,17 @@ std::vector<Halfedge> Base_surface::border_chain(Halfedge h, bool forward, const
 }
 
 Base_surface::Side Base_surface::across(const Surface_point& at, int exit) const {
-  if (is_extension(at.face)) return extension_sides_[at.face.idx() - first_extension_][exit];
+  if (band_edge(at.face) != Blend_mesh::null_halfedge()) return across_band(at.face, exit);
+  if (is_virtual(at.face)) return virtual_[at.face.idx() - first_virtual_].sides[exit];
   // The side opposite to corner i is the halfedge that ends in corner i + 2.
   const Halfedge h = frame(at.face).halfedge[(exit + 2) % 3];
   if (!crossable(h)) {
     const auto found = extension_beyond_.find(h.idx());
-    return found != extension_beyond_.end() ? found->second : Side{Blend_mesh::null_face(), -1, h};
+    if (found != extension_beyond_.end()) return found->second;
+    return rolls_over(h) ? band_beyond(h) : Side{Blend_mesh::null_face(), -1, h};
   }
   const Halfedge o = mesh_.opposite(h);
-  const Frame& g = frame(mesh_.face(o));
-  const int end = g.halfedge[0] == o ? 0 : g.halfedge[1] == o ? 1 : 2;  // o ends where h starts
-  return {mesh_.face(o), (end + 1) % 3, Halfedge()};
-}
-
-Face Base_surface::add_extension_face(const std::array<Vec, 3>& corner, const std::array<Vec, 3>& normal,
-                                      const Vec& outward) {
-  Frame f;
-  f.corner = corner;
-  f.normal = normal;
-  const Vec cross = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  const Vec unit = cross.stableNormalized();
-  for (int i = 0; i < 3; ++i)
-    f.gradient[i] = unit.cross(corner[(i + 2) % 3] - corner[(i + 1) % 3]) / cross.stableNorm();
-  f.face_normal = unit.dot(outward) < 0 ? Vec(-unit) : unit;
-  const Face face(first_extension_ + static_cast<std::uint32_t>(extension_sides_.size()));
-  frames_.emplace(face.idx(), f);
-  extension_sides_.emplace_back();
-  return face;
-}
-
-void Base_surface::extend(const std::vector<Halfedge>& chain, const Vec& direction, double length) {
-  struct Quad {
-    Vertex source, target;
-    Face low, high;  // low has the edge; high the far side and, like low, the diagonal from source to far target
-  };
-  std::vector<Quad> quads;
-  for (const Halfedge h : chain) {
-    if (extension_beyond_.count(h.idx())) continue;
-    const Frame& f = frame(mesh_.face(h));
-    const int t = f.halfedge[0] == h ? 0 : f.halfedge[1] == h ? 1 : 2, s = (t + 2) % 3;
-    const Vec outward = -f.gradient[(t + 1) % 3].stableNormalized();
-    if (direction.dot(outward) < least_departure) continue;
-    std::array<Vec, 2> far;
-    for (const int end : {0, 1}) {
-      const int k = end == 0 ? s : t;
-      const Vec tangent = direction - direction.dot(f.normal[k]) * f.normal[k];
-      far[end] = f.corner[k] + length * tangent.stableNormalized();
-    }
-    // The face lies left of its halfedge, so beyond it the corners run target, source, far source, far target.
-    Quad quad{mesh_.source(h), mesh_.target(h), Face(), Face()};
-    quad.low = add_extension_face({f.corner[t], f.corner[s], far[1]}, {f.normal[t], f.normal[s], f.normal[t]},
-                                  f.face_normal);
-    quad.high = add_extension_face({f.corner[s], far[0], far[1]}, {f.normal[s], f.normal[s], f.normal[t]},
-                                   f.face_normal);
-    const auto sides = [&](Face face) -> std::array<Side, 3>& {
-      return extension_sides_[face.idx() - first_extension_];
-    };
-    sides(quad.low)[0] = {quad.high, 1, Halfedge()};
-    sides(quad.low)[1] = sides(quad.high)[2] = sides(quad.high)[0] = {Blend_mesh::null_face(), -1, h};
-    sides(quad.low)[2] = {mesh_.face(h), (t + 1) % 3, Halfedge()};
-    sides(quad.high)[1] = {quad.low, 0, Halfedge()};
-    extension_beyond_[h.idx()] = {quad.low, 2, Halfedge()};
-    quads.push_back(quad);
-  }
-  // Neighbours share the side from a vertex to its far vertex: low has that of its target, high that of its source.
-  for (const Quad& a : quads)
-    for (const Quad& b : quads)
-      if (a.target == b.source && a.low != b.low) {
-        extension_sides_[a.low.idx() - first_extension_][1] = {b.high, 2, Halfedge()};
-        extension_sides_[b.high.idx() - first_extension_][2] = {a.low, 1, Halfedge()};
-      }
+  return {mesh_.face(o), (index_of(o) + 1) % 3, Halfedge()};
 }
 
 Base_surface::Walk Base_surface::walk(Surface_point from, Vec displacement) const {

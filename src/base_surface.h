@@ -42,6 +42,9 @@ class Base_surface {
     int smoothing_passes = 0;    ///< Laplacian passes over the corner normals, for surfaces rough at the ball's scale
     bool reversed = false;       ///< true: the solid lies on the side the faces point to
     bool area_weights = false;   ///< average normals by squared area: large faces are the surface, small ones a round
+    /// A ball of this radius rolls on over sharp edges that bend towards it, length units; 0: they stop it.
+    double rolling_radius = 0;
+    bool ball_inside = false;  ///< of the solid: then the edges that bend towards the ball are the concave ones
   };
 
   /// \param creases edges across which the surface is not smooth, whatever their angle; may be null
@@ -53,6 +56,7 @@ class Base_surface {
   struct Frame {
     std::array<Halfedge, 3> halfedge;  ///< their targets are the corners
     std::array<Vec, 3> corner;
+    std::array<Vec, 3> place;     ///< where the corners are; on bands over an edge they are moved apart for the walk
     std::array<Vec, 3> normal;    ///< corner normals, outward of the solid
     std::array<Vec, 3> gradient;  ///< of the barycentric coordinates
     Vec face_normal;              ///< unit, outward of the solid
@@ -72,7 +76,20 @@ class Base_surface {
   void extend(const std::vector<Halfedge>& chain, const Vec& direction, double length);
 
   /// True for a face beyond a sharp edge, see `extend`.
-  [[nodiscard]] bool is_extension(Face face) const { return face.idx() >= first_extension_; }
+  [[nodiscard]] bool is_extension(Face face) const {
+    return is_virtual(face) && virtual_[face.idx() - first_virtual_].band == Blend_mesh::null_halfedge();
+  }
+
+  /// True if a ball may roll on over a sharp edge (`Options::rolling_radius`): there the surface has a *band*, two faces
+  /// without width between the normals of both sides, so that the offset goes round the edge.
+  [[nodiscard]] bool rolls_over(Halfedge h) const;
+
+  /// The edge that a face is the band of, as the halfedge that the band begins at; null for other faces.
+  [[nodiscard]] Halfedge band_edge(Face face) const {
+    return is_virtual(face) ? virtual_[face.idx() - first_virtual_].band : Blend_mesh::null_halfedge();
+  }
+
+  [[nodiscard]] bool rolls() const { return options_.rolling_radius > 0; }
 
   /// End of a walk; `blocked` is the sharp edge at which it stopped short.
   struct Walk {
@@ -121,8 +138,21 @@ class Base_surface {
     int opposite = -1;  ///< index of the neighbour's corner that faces the side
     Halfedge blocked;
   };
+  struct Virtual_face {
+    std::array<Side, 3> sides;
+    Halfedge band;
+  };
+  [[nodiscard]] bool is_virtual(Face face) const { return face.idx() >= first_virtual_; }
   [[nodiscard]] Side across(const Surface_point& at, int exit) const;
-  Face add_extension_face(const std::array<Vec, 3>& corner, const std::array<Vec, 3>& normal, const Vec& outward);
+  [[nodiscard]] Side across_band(Face face, int exit) const;
+  [[nodiscard]] Side band_beyond(Halfedge h) const;
+  [[nodiscard]] Side band_at_end(Halfedge h, bool at_target) const;
+  [[nodiscard]] Halfedge next_on_border(Halfedge h, bool at_target) const;
+  void extend_band(Face face, int exit, Halfedge h, bool at_target);
+  [[nodiscard]] std::array<Face, 2> band(Halfedge h) const;
+  Face add_virtual_face(const std::array<Vec, 3>& corner, const std::array<Vec, 3>& place,
+                        const std::array<Vec, 3>& normal, const Vec& outward, Halfedge band) const;
+  [[nodiscard]] int index_of(Halfedge h) const;
 
   const Blend_mesh& mesh_;
   Options options_;
@@ -133,9 +163,10 @@ class Base_surface {
   mutable std::unordered_map<std::uint32_t, Halfedge> fans_;
   mutable std::unordered_map<std::uint32_t, bool> long_creases_;
   mutable std::unordered_map<std::uint64_t, Vec> normals_;
-  std::uint32_t first_extension_;
-  std::vector<std::array<Side, 3>> extension_sides_;         // per extension face
-  std::unordered_map<std::uint32_t, Side> extension_beyond_;  // per sharp halfedge of the surface's side
+  std::uint32_t first_virtual_;
+  mutable std::vector<Virtual_face> virtual_;
+  std::unordered_map<std::uint32_t, Side> extension_beyond_;              // per sharp halfedge of the surface's side
+  mutable std::unordered_map<std::uint32_t, std::array<Face, 2>> bands_;  // low and high, per smaller halfedge
 };
 
 }  // namespace cgal_blend

@@ -202,6 +202,7 @@ Strip_quality measure_rims(const std::vector<Ball_position>& positions, const st
         }
         if (k == last) break;
       }
+      if (rim.surface->band_edge(positions[i].foot[side].face) != Blend_mesh::null_halfedge()) continue;  // on an edge
       const Vec radial = positions[i].contact[side] - positions[i].center;
       const Vec& normal = rim.surface->frame(positions[i].foot[side].face).face_normal;
       const double angle = std::atan2(radial.cross(normal).norm(), std::abs(radial.dot(normal)));

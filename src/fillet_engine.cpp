@@ -98,6 +98,7 @@ struct Job {
   std::size_t level = 0;    // of smoothing
   std::size_t attempt = 0;  // at mapping
   bool rolled = false;
+  bool over_edges = false;  // the ball rolls on over sharp edges that bend towards it
   std::optional<Diagnosis> first_failure;
   std::optional<Radius_law> law;  // along the branch
   Profile profile;
@@ -401,7 +402,11 @@ class Engine {
   }
 
   [[nodiscard]] Base_surface::Options surface_options(const Smoothing& how, double radius) const {
-    return {std::max(options_.smooth_angle, how.smooth_angle), how.shortest_crease * radius, how.passes, false, false};
+    Base_surface::Options options;
+    options.smooth_angle = std::max(options_.smooth_angle, how.smooth_angle);
+    options.shortest_crease = how.shortest_crease * radius;
+    options.smoothing_passes = how.passes;
+    return options;
   }
 
   /// What no open branch can be, wherever it ends.
@@ -483,17 +488,25 @@ class Engine {
   const Base_surface& base_surface(const Job& job, int side) {
     const int operand = job.operand[side];
     const bool round = job.profile.is_sharp();
-    std::unique_ptr<Base_surface>& surface = surfaces_[{job.level, operand, job.report.radius, round}];
+    std::unique_ptr<Base_surface>& surface = surfaces_[{job.level, operand, job.report.radius, round, kind_of_rolling(job)}];
     if (!surface) {
-      const Smoothing& how = smoothings[job.level];
+      Base_surface::Options options = surface_options(smoothings[job.level], job.report.radius);
+      options.reversed = body_.reversed[operand];
+      options.area_weights = round;
+      set_rolling(job, options);
       surface = std::make_unique<Base_surface>(
-          *body_.base[operand],
-          Base_surface::Options{std::max(options_.smooth_angle, how.smooth_angle),
-                                how.shortest_crease * job.report.radius, how.passes, body_.reversed[operand], round},
-          body_.own_surface ? &creases_ : nullptr, body_.own_surface ? &blend_faces_ : nullptr);
+          *body_.base[operand], options, body_.own_surface ? &creases_ : nullptr, body_.own_surface ? &blend_faces_ : nullptr);
     }
     return *surface;
   }
+
+  static void set_rolling(const Job& job, Base_surface::Options& options) {
+    options.rolling_radius = job.over_edges ? job.report.radius : 0;
+    options.ball_inside = job.curve.convex;
+  }
+
+  /// How surfaces of jobs differ by `set_rolling`.
+  static int kind_of_rolling(const Job& job) { return !job.over_edges ? 0 : job.curve.convex ? 1 : 2; }
 
   // Rolling, and what to do about failures.
 
@@ -519,8 +532,18 @@ class Engine {
         if (!options_.mend_spine && diagnosis.status == Status::radius_exceeds_curvature) break;
       }
       if (!job.rolled) refuse(job);
+      if (job.report.diagnosis.status == Status::radius_exceeds_face) roll_over_edges(job, i);
     }
     return first_refusal();
+  }
+
+  /// Where a face ends the ball may go on over its edge: along the edge, or to the face beyond.
+  void roll_over_edges(Job& job, std::size_t index) {
+    if (options_.mode == Blend_mode::map || job.profile.is_sharp() || job.over_edges) return;
+    job.over_edges = true;
+    job.level = 0;  // smoother views would round the edges off
+    job.report.over_edges = job.rolled = roll(job, index).ok();
+    if (job.rolled) job.report.diagnosis = {};
   }
 
   Diagnosis roll(Job& job, std::size_t index) {
@@ -547,8 +570,9 @@ class Engine {
   Diagnosis roll_to_ends(Job& job, std::size_t index) {
     const double radius = job.report.radius;
     Open_branch& branch = job.open.emplace();
-    branch.surface = std::make_unique<Base_surface>(*body_.mesh, open_surface_options(job.level), &creases_,
-                                                    &blend_faces_);
+    Base_surface::Options view = open_surface_options(job.level);
+    set_rolling(job, view);
+    branch.surface = std::make_unique<Base_surface>(*body_.mesh, view, &creases_, &blend_faces_);
     for (const int end : {0, 1}) {
       const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
       const Vertex v = job.ends[end];
@@ -692,7 +716,7 @@ class Engine {
     // Another view of the surfaces changes the ball's way, but not the mesh that has to follow it.
     const bool mesh_is_to_blame = status_is_of_mapping(diagnosis.status);
     if (mesh_is_to_blame) job.first_failure = diagnosis;
-    if (mesh_is_to_blame || ++job.level == levels_of(job)) refuse(job);
+    if (mesh_is_to_blame || job.over_edges || ++job.level == levels_of(job)) refuse(job);
     return first_refusal();
   }
 
@@ -1127,7 +1151,7 @@ class Engine {
   const Fillet_options& options_;
   std::size_t levels_;
   double progress_ = 0;
-  std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
+  std::map<std::tuple<std::size_t, int, double, bool, int>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
   std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
   std::map<Vertex, Blend_corner*> resumed_;                          // ends of branches in corners of earlier passes

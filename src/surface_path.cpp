@@ -33,6 +33,16 @@ Draft on_vertex(const Blend_mesh& mesh, const Draft& draft, Vertex v) {
   return moved;
 }
 
+/// A point of a surface; where a ball turns over an edge, that edge is where it touches.
+Draft draft_at(const Base_surface& surface, const Surface_point& at, std::size_t index = no_point) {
+  const Halfedge edge = surface.band_edge(at.face);
+  Draft draft{{Station::Kind::face, at.face, Halfedge(), Vertex(), surface.position(at)}, index};
+  if (edge == Blend_mesh::null_halfedge()) return draft;
+  draft = on_edge(surface.mesh(), edge, draft.point);
+  draft.point_index = index;
+  return draft;
+}
+
 bool same_place(const Draft& a, const Draft& b, double snap) {
   if (a.kind != b.kind) return false;
   if (a.kind == Station::Kind::vertex) return a.vertex == b.vertex;
@@ -54,6 +64,7 @@ class Path_builder {
         mesh_(surface.mesh()),
         snap_(rules.snap),
         cross_creases_(rules.cross_creases),
+        bends_(rules.cross_creases || surface.rolls()),
         within_(rules.within) {}
 
   /// Appends the edges crossed between two stations; false if the section misses the second. A station on an edge or a
@@ -65,7 +76,7 @@ class Path_builder {
     // Round an acute corner the way on may be farther back than the place that it starts from.
     constexpr std::array<Way, 3> ways{{{}, {true, 1, detour_of_corner}, {true, -1, detour_of_corner}}};
     for (const Way& way : ways)
-      if (&way == &ways.front() || cross_creases_)
+      if (&way == &ways.front() || bends_)
         for (const Face start : starts) {
           Halfedge entered;
           if (way.leaves_edge && from.kind == Station::Kind::edge)
@@ -125,7 +136,9 @@ class Path_builder {
   }
 
  private:
-  [[nodiscard]] bool may_cross(Halfedge h) const { return cross_creases_ || surface_.crossable(h); }
+  [[nodiscard]] bool may_cross(Halfedge h) const {
+    return cross_creases_ || surface_.crossable(h) || surface_.rolls_over(h);
+  }
 
   [[nodiscard]] bool at_sharp_edge(Vertex v) const {
     const auto around = mesh_.halfedges_around_target(mesh_.halfedge(v));
@@ -147,7 +160,7 @@ class Path_builder {
       while (mesh_.target(corner) != draft.vertex) corner = mesh_.next(corner);
       const Halfedge fan = surface_.fan(corner);
       for (const Halfedge h : mesh_.halfedges_around_target(corner))
-        if (h != corner && (cross_creases_ || surface_.fan(h) == fan)) add(mesh_.face(h));
+        if (h != corner && (bends_ || surface_.fan(h) == fan)) add(mesh_.face(h));
     }
     return faces;
   }
@@ -204,6 +217,7 @@ class Path_builder {
   const Blend_mesh& mesh_;
   double snap_;
   bool cross_creases_;
+  bool bends_;  // over sharp edges
   const std::unordered_set<Face>* within_;
 };
 
@@ -250,8 +264,7 @@ std::optional<Surface_path> closed_path(const Base_surface& surface, const std::
   const Path_builder builder(surface, {snap});
   std::vector<Draft> given, drafts;
   for (std::size_t i = 0; i < points.size(); ++i)
-    given.push_back(
-        builder.snapped({{Station::Kind::face, points[i].face, Halfedge(), Vertex(), surface.position(points[i])}, i}));
+    given.push_back(builder.snapped(draft_at(surface, points[i], i)));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t next = (i + 1) % points.size();
     drafts.push_back(given[i]);
@@ -308,6 +321,12 @@ std::optional<Surface_path> open_path(const Base_surface& surface, const std::ve
 
 std::optional<Station> leaving_station(const Base_surface& surface, const Surface_point& inside, const Vec& outside,
                                        double snap) {
+  if (const Halfedge edge = surface.band_edge(inside.face); edge != Blend_mesh::null_halfedge()) {  // over its end
+    const Blend_mesh& mesh = surface.mesh();
+    const Vertex s = mesh.source(edge), t = mesh.target(edge);
+    const bool forward = (outside - to_vec(mesh.point(t))).norm() < (outside - to_vec(mesh.point(s))).norm();
+    return station_at(surface, mesh.face(edge), forward ? t : s);
+  }
   const Path_builder builder(surface, {snap});
   if (const auto there = builder.on_border(inside.face, surface.position(inside))) return *there;
   const auto draft = builder.leave(inside.face, surface.position(inside), outside, surface.normal(inside));
@@ -316,8 +335,7 @@ std::optional<Station> leaving_station(const Base_surface& surface, const Surfac
 }
 
 Station station_at(const Base_surface& surface, const Surface_point& at, double snap) {
-  return Path_builder(surface, {snap})
-      .snapped({{Station::Kind::face, at.face, Halfedge(), Vertex(), surface.position(at)}, no_point});
+  return Path_builder(surface, {snap}).snapped(draft_at(surface, at));
 }
 
 Station station_at(const Base_surface& surface, Face face, Vertex vertex) {

@@ -77,6 +77,9 @@ struct Blend_report {
   double tangency_deg =
       0;  ///< largest angle across the linkage curves between the blend's tangent plane and the base face, degrees
   std::size_t loops = 0;  ///< loops of the spine that were cut off
+  /// True if the ball had to roll on over the edge of a neighbouring face: to the face beyond, or along the edge, where
+  /// the blend is not tangent but ends.
+  bool over_edges = false;
   double coarseness = 0;  ///< map mode: largest distance of the blend from the facets that stand for it / r
 };
 
