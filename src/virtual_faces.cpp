@@ -125,6 +125,7 @@ Base_surface::Side Base_surface::band_at_end(Halfedge h, bool at_target) const {
 bool Base_surface::rolls_over(Halfedge h) const {
   const Edge e = mesh_.edge(h);
   if (!rolls() || mesh_.is_border(e) || crossable(h) || (creases_ && creases_->count(e))) return false;
+  if (extension_beyond_.count(h.idx()) || extension_beyond_.count(mesh_.opposite(h).idx())) return false;
   const bool convex = edge_convexity(e, mesh_) == (options_.reversed ? CGAL::NEGATIVE : CGAL::POSITIVE);
   return convex != options_.ball_inside;
 }
