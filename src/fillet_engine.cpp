@@ -2,6 +2,7 @@
 #include "fillet_engine.h"
 
 #include "ancestry.h"
+#include "blend_corners.h"
 #include "blend_curve.h"
 #include "blend_strip.h"
 #include "corner_patch.h"
@@ -89,6 +90,12 @@ bool status_is_of_mapping(Status status) {
          status == Status::region_too_coarse;
 }
 
+/// Balls of a corner, by their index there, that a branch without edges runs between.
+struct Between_balls {
+  Vertex corner;
+  std::array<std::size_t, 2> ball;
+};
+
 /// One branch on its way to becoming a blend.
 struct Job {
   std::vector<Halfedge> halfedges;
@@ -108,6 +115,7 @@ struct Job {
   std::optional<Open_branch> open;
   std::array<Vertex, 2> ends;  // of an open branch
   bool waits = false;          // for a later pass
+  std::optional<Between_balls> between;  // a spine across a corner
 };
 
 struct Assembly {
@@ -152,7 +160,12 @@ class Engine {
     if (!outcome.ok() && outcome.diagnosis.status != Status::cancelled)
       pass.again = options_.keep_going && refused_at_corner();
     if (!outcome.ok()) out.clear();
+    if (!pass.again) blame_edges();
     for (const Job& job : jobs_) {
+      if (job.between) {
+        if (!job.report.diagnosis.ok()) pass.flat_corners.push_back(job.between->corner);
+        continue;
+      }
       if (pass.again && job.report.diagnosis.ok()) continue;
       if (job.waits && job.report.diagnosis.ok() && outcome.ok()) continue;
       if (!job.report.diagnosis.ok()) pass.refused.push_back({outcome.blends.size(), blend_of(job)});
@@ -208,12 +221,9 @@ class Engine {
     const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_, &blend_faces_);
     std::map<Vertex, std::size_t> first;  // corners without a ball at rest: the branch that goes first
     for (const auto& [v, node] : nodes_) {
-      if (node.size() == 1 || corner_at(v, surface)) continue;
-      if (const char* reason = no_order(node, surface)) {
-        for (const auto& [i, end] : node) {
-          jobs_[i].report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
-          jobs_[i].report.diagnosis.detail = reason;
-        }
+      if (node.size() == 1 || !corners_at(v, surface).empty()) continue;
+      if (const auto refused = no_order(v, surface)) {
+        for (const auto& [i, end] : node) jobs_[i].report.diagnosis = *refused;
         continue;
       }
       std::size_t convex = 0;
@@ -243,6 +253,9 @@ class Engine {
         }
       }
     }
+    for (Job& job : jobs_)
+      if (job.between)
+        for (const auto& [i, end] : nodes_.at(job.between->corner)) job.waits = job.waits || jobs_[i].waits;
     const auto runs = [](const Job& job) { return !job.waits && job.report.diagnosis.ok(); };
     if (std::any_of(jobs_.begin(), jobs_.end(), runs)) return;
     // All wait for each other: one goes first, and the corners with a ball on its way are finished later.
@@ -253,23 +266,29 @@ class Engine {
       });
     };
     for (std::size_t i = 0; i < jobs_.size(); ++i)
-      if (jobs_[i].waits && jobs_[i].report.diagnosis.ok() && may_start(i)) {
+      if (jobs_[i].waits && !jobs_[i].between && jobs_[i].report.diagnosis.ok() && may_start(i)) {
         jobs_[i].waits = false;
         return;
       }
     for (Job& job : jobs_)
-      if (job.waits && job.report.diagnosis.ok())
+      if (job.waits && !job.between && job.report.diagnosis.ok())
         job.report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(job.ends[0])));
   }
 
-  /// Why the blends at a corner without a ball at rest cannot be made one after the other; null if they can.
-  [[nodiscard]] const char* no_order(const std::vector<std::pair<std::size_t, int>>& node,
-                                     const Base_surface& surface) const {
+  /// Why the blends at a corner without balls at rest cannot be made one after the other; nothing if they can.
+  [[nodiscard]] std::optional<Diagnosis> no_order(Vertex v, const Base_surface& surface) const {
+    const auto& node = nodes_.at(v);
+    Diagnosis diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
+    if (node.size() == 2 && is_one_curve(surface, into(node[0]), body_.mesh->opposite(into(node[1])))) {
+      diagnosis.detail = "the blends differ along one smooth curve; give it one radius that varies";
+      return diagnosis;
+    }
     // Blends that are to go on regardless end flat there.
-    if (node.size() > 3 && !options_.keep_going) return "no ball touches all of the faces there";
-    if (node.size() == 2 && is_one_curve(surface, into(node[0]), body_.mesh->opposite(into(node[1]))))
-      return "the blends differ along one smooth curve; give it one radius that varies";
-    return nullptr;
+    if (node.size() <= 3 || options_.keep_going) return std::nullopt;
+    const auto blocked = blocked_.find(v);
+    if (blocked != blocked_.end()) return refusal(Status::radius_exceeds_face, blocked->second);
+    diagnosis.detail = "no balls at rest there touch all of the faces";
+    return diagnosis;
   }
 
   /// True if the faces left of two consecutive edges are one smooth surface there, and so are those right of them.
@@ -310,8 +329,8 @@ class Engine {
       if (!third) continue;
       corner.ball.foot = {point_at(surface, corner.chain.back()), *third, point_at(surface, corner.chain.front())};
       const Vertex key = body_.mesh->target(into(node[0].front()));
-      corners_[key] = std::move(corner);
-      for (const int side : {0, 1}) resumed_[body_.mesh->target(into(node[side].front()))] = &corners_[key];
+      corners_[key] = {std::move(corner)};
+      for (const int side : {0, 1}) resumed_[body_.mesh->target(into(node[side].front()))] = key;
     }
   }
 
@@ -549,30 +568,8 @@ class Engine {
     Open_branch& branch = job.open.emplace();
     branch.surface = std::make_unique<Base_surface>(*body_.mesh, open_surface_options(job.level), &creases_,
                                                     &blend_faces_);
-    for (const int end : {0, 1}) {
-      const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
-      const Vertex v = job.ends[end];
-      const auto resumed = resumed_.find(v);
-      Blend_corner* corner = resumed != resumed_.end()   ? resumed->second
-                             : nodes_.at(v).size() > 1 ? corner_at(v, *branch.surface)
-                                                       : nullptr;
-      if (corner) branch.place[end] = place_in_corner(*corner, into);
-      const bool is_complete = corner && std::none_of(corner->branches.begin(), corner->branches.end(), [&](const auto& b) {
-                                 return b.first != Blend_corner::no_branch && jobs_[b.first].waits;
-                               });
-      if (!is_complete) {
-        branch.through[end] = corner;
-        branch.ends[end] = view_end(*branch.surface, into, end, job.curve.convex, radius);
-        continue;
-      }
-      Branch_end& e = branch.ends[end];
-      e.kind = Branch_end::Kind::ball;
-      e.end = end;
-      e.into = into;
-      e.direction = (to_vec(body_.mesh->point(body_.mesh->target(into))) -
-                     to_vec(body_.mesh->point(body_.mesh->source(into)))).normalized();
-      branch.corner[end] = corner;
-    }
+    branch.between_balls = job.between.has_value();
+    for (const int end : {0, 1}) view_end_of(job, index, end);
     Sampling steps = sampling(options_.chord_tolerance);
     steps.samples = options_.samples;
     steps.chord_ratio = options_.chord_ratio;
@@ -586,29 +583,65 @@ class Engine {
     return judge(job);
   }
 
+  /// Finds out what an open branch runs into.
+  void view_end_of(Job& job, std::size_t index, int end) {
+    Open_branch& branch = *job.open;
+    Branch_end& e = branch.ends[end];
+    const Blend_corner* corner = ball_at(job, index, end);
+    if (corner) branch.place[end] = place_in_corner(*corner, {index, end});
+    const bool is_complete =
+        corner && std::none_of(corner->branches.begin(), corner->branches.end(), [&](const auto& b) {
+          return b.first != Blend_corner::no_branch && jobs_[b.first].waits;
+        });
+    if (!is_complete) {
+      branch.through[end] = corner;
+      e = view_end(*branch.surface, into({index, end}), end, job.curve.convex, job.report.radius);
+      return;
+    }
+    e.kind = Branch_end::Kind::ball;
+    e.end = end;
+    branch.corner[end] = corner;
+    if (job.between) {
+      e.direction = (end == 1 ? 1 : -1) * (job.curve.points[1] - job.curve.points[0]).normalized();
+      return;
+    }
+    e.into = into({index, end});
+    e.direction =
+        (to_vec(body_.mesh->point(body_.mesh->target(e.into))) - to_vec(body_.mesh->point(body_.mesh->source(e.into))))
+            .normalized();
+  }
+
+  /// The ball at rest that a branch ends at, or null.
+  const Blend_corner* ball_at(const Job& job, std::size_t index, int end) {
+    const Vertex v = job.ends[end];
+    if (job.between) return &corners_.at(v)[job.between->ball[end]];
+    const auto resumed = resumed_.find(v);
+    if (resumed != resumed_.end()) return &corners_.at(resumed->second).front();
+    if (nodes_.at(v).size() == 1) return nullptr;
+    const std::pair<std::size_t, int> branch(index, end);
+    for (const Blend_corner& corner : corners_at(v, *job.open->surface))
+      if (std::find(corner.branches.begin(), corner.branches.end(), branch) != corner.branches.end()) return &corner;
+    return nullptr;
+  }
+
   [[nodiscard]] double open_snap(double radius) const {
     return radius * std::min(snap_of_radius, snap_of_facet * sampling(options_.chord_tolerance).finest);
   }
 
-  /// The ball at rest where several branches meet, if all that meets there is to be blended alike.
-  Blend_corner* corner_at(Vertex v, const Base_surface& surface) {
+  /// The balls at rest where several branches meet, if all that meets there is to be blended alike; else none.
+  const std::vector<Blend_corner>& corners_at(Vertex v, const Base_surface& surface) {
     const auto known = corners_.find(v);
-    if (known != corners_.end()) return known->second.branches.empty() ? nullptr : &known->second;
-    Blend_corner& corner = corners_[v];
+    if (known != corners_.end()) return known->second;
+    std::vector<Blend_corner>& corners = corners_[v];
+    if (earlier_.flat_corners.count(v) || !wants_balls(v)) return corners;
     const Blend_mesh& mesh = *body_.mesh;
     const auto& node = nodes_.at(v);
-    const Job& first = jobs_[node.front().first];
-    const double radius = (*first.law)(node.front().second);
-    for (const auto& [i, end] : node)
-      if (!jobs_[i].report.diagnosis.ok() || jobs_[i].curve.convex != first.curve.convex ||
-          std::abs((*jobs_[i].law)(end) - radius) > same_radius * radius)
-        return nullptr;
     std::vector<std::vector<Halfedge>> sectors;
     std::vector<std::pair<std::size_t, int>> order;
     Halfedge h = into(node.front());
     do {
       const auto branch = std::find_if(node.begin(), node.end(), [&](const auto& b) { return into(b) == h; });
-      if (branch == node.end()) return nullptr;  // an edge that stays sharp
+      if (branch == node.end()) return corners;  // an edge that stays sharp
       order.push_back(*branch);
       sectors.emplace_back();
       do {
@@ -616,10 +649,41 @@ class Engine {
         sectors.back().push_back(h);
       } while (surface.crossable(h));
     } while (h != into(node.front()));
-    auto ball = find_corner_ball(surface, sectors, first.curve.convex ? -radius : radius);
-    if (!ball) return nullptr;
-    corner = {std::move(order), std::move(*ball), {}, {}};
-    return &corner;
+    const Job& first = jobs_[node.front().first];
+    const double radius = (*first.law)(node.front().second);
+    const Corner_balls balls = find_corner_balls(surface, sectors, first.curve.convex ? -radius : radius);
+    if (balls.blocked) blocked_[v] = *balls.blocked;
+    corners = blend_corners(balls, order, jobs_.size());
+    for (const Corner_balls::Spine& spine : balls.spines) add_spine(v, balls, spine, node.front());
+    return corners;
+  }
+
+  /// True if the branches that meet there bend the same way and have the same radius.
+  [[nodiscard]] bool wants_balls(Vertex v) const {
+    const auto& node = nodes_.at(v);
+    const Job& first = jobs_[node.front().first];
+    const double radius = (*first.law)(node.front().second);
+    return std::all_of(node.begin(), node.end(), [&](const std::pair<std::size_t, int>& branch) {
+      const Job& job = jobs_[branch.first];
+      return job.report.diagnosis.ok() && job.curve.convex == first.curve.convex &&
+             std::abs((*job.law)(branch.second) - radius) <= same_radius * radius;
+    });
+  }
+
+  /// Adds the branch between two balls of a corner; `like` is one of those that meet there.
+  void add_spine(Vertex v, const Corner_balls& balls, const Corner_balls::Spine& spine,
+                 const std::pair<std::size_t, int>& like) {
+    Job job;
+    const Job& model = jobs_[like.first];
+    job.between = {v, spine.ball};
+    job.ends = {v, v};
+    job.report.radius = (*model.law)(like.second);
+    job.report.closed = job.curve.closed = false;
+    job.report.convex = job.curve.convex = model.curve.convex;
+    job.law = Radius_law(job.report.radius);
+    job.profile = model.profile;
+    for (const std::size_t ball : spine.ball) job.curve.points.push_back(balls.balls[ball].rest.center);
+    jobs_.push_back(std::move(job));
   }
 
   /// The refusal of a blend that is folded: by what joins a mended spine, or by rough surfaces.
@@ -667,8 +731,19 @@ class Engine {
     return {};
   }
 
+  /// What fails between the balls of a corner fails for the branches that meet there.
+  void blame_edges() {
+    for (const Job& job : jobs_)
+      if (job.between && !job.report.diagnosis.ok())
+        for (const auto& [i, end] : nodes_.at(job.between->corner))
+          if (jobs_[i].report.diagnosis.ok()) jobs_[i].report.diagnosis = job.report.diagnosis;
+  }
+
   /// True if a branch is refused on which others count in a corner: these are to be looked at anew without it.
   [[nodiscard]] bool refused_at_corner() const {
+    if (std::any_of(jobs_.begin(), jobs_.end(),
+                    [](const Job& job) { return job.between && !job.report.diagnosis.ok(); }))
+      return true;
     for (const auto& [v, node] : nodes_) {
       const auto refused = std::count_if(node.begin(), node.end(), [&](const auto& branch) {
         return !jobs_[branch.first].report.diagnosis.ok();
@@ -787,7 +862,7 @@ class Engine {
     const auto step = [&](Vertex a, Vertex b) { return Later_blend::Step(work.point(a), work.point(b)); };
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       const Job& job = jobs_[i];
-      if (!job.waits || !job.report.diagnosis.ok()) continue;
+      if (!job.waits || job.between || !job.report.diagnosis.ok()) continue;
       place[i] = result.later.size();
       Later_blend& later = result.later.emplace_back();
       if (job.law->is_constant())
@@ -850,7 +925,7 @@ class Engine {
     bool some = false;
     for (const Job& job : jobs_) {
       if (job.report.diagnosis.ok())
-        some = some || !job.waits;
+        some = some || (!job.waits && !job.between);
       else if (!refused)
         refused = &job;
     }
@@ -893,20 +968,8 @@ class Engine {
         filled.insert(parts.filled.begin(), parts.filled.end());
       }
     }
-    for (const auto& [v, corner] : corners_) {
-      if (corner.chain.empty()) continue;
-      const std::size_t i = corner.branches.back().first;
-      if (!jobs_[i].rolled || !jobs_[corner.branches[1].first].rolled) continue;
-      Rim cut;
-      cut.surface = jobs_[i].open->surface.get();
-      cut.path.closed = false;
-      for (const Vertex w : corner.chain)
-        cut.path.stations.push_back(station_at(*cut.surface, work.face(work.halfedge(w)), w));
-      cut.keep_left = false;
-      cut.blend = i;
-      cut.vertices = corner.chain;
-      cuts.push_back(std::move(cut));
-    }
+    for (const auto& [v, corners] : corners_)
+      if (!corners.empty() && !corners.front().chain.empty()) add_chain(corners.front(), cuts);
     std::vector<Rim> all = rims;
     all.insert(all.end(), cuts.begin(), cuts.end());
     Trimming trimming = trim(work, body_.cells, all, curves, filled);
@@ -922,22 +985,40 @@ class Engine {
     return result;
   }
 
+  /// Cuts the blend of an earlier pass where its ball is at rest.
+  void add_chain(const Blend_corner& corner, std::vector<Rim>& cuts) const {
+    const std::size_t i = corner.branches.back().first;
+    if (!jobs_[i].rolled || !jobs_[corner.branches[1].first].rolled) return;
+    Rim cut;
+    cut.surface = jobs_[i].open->surface.get();
+    cut.path.closed = false;
+    for (const Vertex w : corner.chain)
+      cut.path.stations.push_back(station_at(*cut.surface, body_.mesh->face(body_.mesh->halfedge(w)), w));
+    cut.keep_left = false;
+    cut.blend = i;
+    cut.vertices = corner.chain;
+    cuts.push_back(std::move(cut));
+  }
+
   /// Where blends meet in a corner their rims meet, in the contacts of the ball at rest there.
   void add_corner_vertices(Blend_mesh& work) {
-    for (auto& [v, corner] : corners_) {
-      corner.contact.assign(corner.branches.size(), Blend_mesh::null_vertex());
-      for (std::size_t k = 0; k < corner.branches.size(); ++k) {
-        const auto [i, end] = corner.branches[k];
-        if (i == Blend_corner::no_branch) {
-          corner.contact[0] = corner.chain.back();
-          continue;
-        }
-        if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) continue;
-        const Open_branch& branch = *jobs_[i].open;
-        const Station& s = branch.strip_ends[end].rim[1 - branch.ends[end].left()];
-        corner.contact[k] =
-            s.kind == Station::Kind::vertex ? body_.cells.vertex(0, s.vertex) : work.add_vertex(to_point(s.point));
+    for (auto& [v, corners] : corners_)
+      for (Blend_corner& corner : corners) add_contacts(work, corner);
+  }
+
+  void add_contacts(Blend_mesh& work, Blend_corner& corner) const {
+    corner.contact.assign(corner.branches.size(), Blend_mesh::null_vertex());
+    for (std::size_t k = 0; k < corner.branches.size(); ++k) {
+      const auto [i, end] = corner.branches[k];
+      if (i == Blend_corner::no_branch) {
+        corner.contact[0] = corner.chain.back();
+        continue;
       }
+      if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) continue;
+      const Open_branch& branch = *jobs_[i].open;
+      const Station& s = branch.strip_ends[end].rim[1 - branch.ends[end].left()];
+      corner.contact[k] =
+          s.kind == Station::Kind::vertex ? body_.cells.vertex(0, s.vertex) : work.add_vertex(to_point(s.point));
     }
   }
 
@@ -952,10 +1033,10 @@ class Engine {
     }
   }
 
-  [[nodiscard]] std::size_t place_in_corner(const Blend_corner& corner, Halfedge in) const {
-    std::size_t k = 0;
-    while (corner.branches[k].first == Blend_corner::no_branch || into(corner.branches[k]) != in) ++k;
-    return k;
+  [[nodiscard]] static std::size_t place_in_corner(const Blend_corner& corner,
+                                                   const std::pair<std::size_t, int>& branch) {
+    return static_cast<std::size_t>(std::find(corner.branches.begin(), corner.branches.end(), branch) -
+                                    corner.branches.begin());
   }
 
   void stitch(Blend_mesh& work, const std::vector<Rim>& rims,
@@ -1003,36 +1084,41 @@ class Engine {
       if (origins[f] == no_origin) result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(f)));
   }
 
-  /// The part of the ball at rest that is left between the strips.
+  /// The parts of the balls at rest that are left between the strips.
   bool fill_corners(Blend_mesh& work, const std::map<std::size_t, std::array<End_assembly, 2>>& ends,
                     std::vector<Triangle>& triangles, Assembly& result) {
-    for (const auto& [v, corner] : corners_) {
-      std::vector<Vertex> loop;
-      for (const auto& [i, end] : corner.branches) {
-        if (i == Blend_corner::no_branch) {
-          loop.insert(loop.end(), corner.chain.begin(), corner.chain.end() - 1);
-          continue;
+    for (const auto& [v, corners] : corners_)
+      for (const Blend_corner& corner : corners) {
+        const std::vector<Vertex> loop = loop_around(corner, ends);
+        if (loop.empty()) continue;
+        const std::size_t i = corner.branches.back().first;
+        const double facet = sampling(options_.chord_tolerance).finest * jobs_[i].report.radius;
+        const std::vector<Triangle> patch = tessellate_corner(work, corner.ball.center, loop, facet);
+        if (patch.empty()) {
+          result.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
+          result.blame = i;
+          return false;
         }
-        if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) {
-          loop.clear();
-          break;
-        }
-        std::vector<Vertex> arc = ends.at(i)[end].border.hit;
-        if (jobs_[i].open->ends[end].left() == 1) std::reverse(arc.begin(), arc.end());
-        loop.insert(loop.end(), arc.begin(), arc.end() - 1);
+        triangles.insert(triangles.end(), patch.begin(), patch.end());
       }
-      if (loop.empty()) continue;
-      const std::size_t i = corner.branches.back().first;
-      const double facet = sampling(options_.chord_tolerance).finest * jobs_[i].report.radius;
-      const std::vector<Triangle> patch = tessellate_corner(work, corner.ball.center, loop, facet);
-      if (patch.empty()) {
-        result.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
-        result.blame = i;
-        return false;
-      }
-      triangles.insert(triangles.end(), patch.begin(), patch.end());
-    }
     return true;
+  }
+
+  /// The arcs in which blends end at a ball at rest, one after the other; empty if not all are there.
+  [[nodiscard]] std::vector<Vertex> loop_around(const Blend_corner& corner,
+                                                const std::map<std::size_t, std::array<End_assembly, 2>>& ends) const {
+    std::vector<Vertex> loop;
+    for (const auto& [i, end] : corner.branches) {
+      if (i == Blend_corner::no_branch) {
+        loop.insert(loop.end(), corner.chain.begin(), corner.chain.end() - 1);
+        continue;
+      }
+      if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) return {};
+      std::vector<Vertex> arc = ends.at(i)[end].border.hit;
+      if (jobs_[i].open->ends[end].left() == 1) std::reverse(arc.begin(), arc.end());
+      loop.insert(loop.end(), arc.begin(), arc.end() - 1);
+    }
+    return loop;
   }
 
   /// Moves the vertices that stitching would remove onto the blends.
@@ -1130,8 +1216,9 @@ class Engine {
   std::map<std::tuple<std::size_t, int, double, bool>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
   std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
-  std::map<Vertex, Blend_corner*> resumed_;                          // ends of branches in corners of earlier passes
-  std::map<Vertex, Blend_corner> corners_;                           // without branches: no ball is at rest there
+  std::map<Vertex, Vertex> resumed_;  // ends of branches in corners of earlier passes: the key of these
+  std::map<Vertex, std::vector<Blend_corner>> corners_;  // empty: no ball is at rest there
+  std::map<Vertex, Vec> blocked_;                        // corners with balls that would reach over a sharp edge: where
   Stage_times aside_;  // what is no part of blending, over all tries
 };
 
@@ -1153,6 +1240,7 @@ Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& 
         left_out.insert(blend.edges.begin(), blend.edges.end());
       }
       before.creases.insert(before.creases.end(), left_out.begin(), left_out.end());
+      before.flat_corners.insert(pass.flat_corners.begin(), pass.flat_corners.end());
       for (Edge_blend& blend : wanted)
         blend.edges.erase(std::remove_if(blend.edges.begin(), blend.edges.end(),
                                          [&](Edge e) { return left_out.count(e) != 0; }),

@@ -121,15 +121,18 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
     curve.overhang[end.end] = end.reach;
     for (const auto& chain : end.border) surface.extend(chain, end.direction, 2 * end.reach);
   }
-  Ball_path path = roll_ball(surfaces, curve, Curve_kind::crease, law, steps);
+  std::array<Ball_position, 2> at_rest;
+  for (const Branch_end& end : branch.ends)
+    if (end.kind == Branch_end::Kind::ball)
+      at_rest[end.end] = ball_in_corner(surface, *branch.corner[end.end], branch.place[end.end], end.left(), end.end);
+  Ball_path path = branch.between_balls ? roll_between(surface, at_rest, curve.convex, law, steps)
+                                        : roll_ball(surfaces, curve, Curve_kind::crease, law, steps);
   result.diagnosis = path.diagnosis;
   if (!path.diagnosis.ok()) return result;
   const double facet = steps.finest * radius;
   for (const Branch_end& end : branch.ends) {
-    if (end.kind == Branch_end::Kind::ball)
-      end_at(path.positions,
-             ball_in_corner(surface, *branch.corner[end.end], branch.place[end.end], end.left(), end.end), end.end,
-             end.direction, clear_of_facet * facet);
+    if (end.kind == Branch_end::Kind::ball && !branch.between_balls)
+      end_at(path.positions, at_rest[end.end], end.end, end.direction, clear_of_facet * facet);
     if (end.kind == Branch_end::Kind::fade)
       end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
   }
