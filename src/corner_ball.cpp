@@ -16,7 +16,8 @@ using Feet = std::array<Surface_point, 3>;
 using Residual = Eigen::Matrix<double, 6, 1>;
 
 /// The point of a sector nearest to p, or rather where a walk from there towards p ends.
-Surface_point approach(const Base_surface& surface, const std::vector<Halfedge>& sector, const Vec& p) {
+Surface_point approach(const Base_surface& surface, const std::vector<Halfedge>& sector, const Vec& p,
+                       std::optional<Vec>& blocked) {
   Surface_point best;
   double nearest = -1;
   for (const Halfedge h : sector) {
@@ -26,7 +27,10 @@ Surface_point approach(const Base_surface& surface, const std::vector<Halfedge>&
     nearest = distance;
     best = at;
   }
-  return nearest > 0 ? surface.walk(best, p - surface.position(best)).end : best;
+  if (!(nearest > 0)) return best;
+  const Base_surface::Walk walk = surface.walk(best, p - surface.position(best));
+  if (walk.blocked != Blend_mesh::null_halfedge()) blocked = surface.position(walk.end);
+  return walk.end;
 }
 
 class Corner_solver {
@@ -35,10 +39,11 @@ class Corner_solver {
 
   [[nodiscard]] Corner_solution solve(const std::array<const std::vector<Halfedge>*, 3>& sectors,
                                       const Vec& center) const {
+    Corner_solution solution;
     Feet feet;
     for (int i = 0; i < 3; ++i)
-      feet[i] = approach(surface_, *sectors[i], center - distance_ * sector_normal(surface_, *sectors[i]));
-    Corner_solution solution;
+      feet[i] =
+          approach(surface_, *sectors[i], center - distance_ * sector_normal(surface_, *sectors[i]), solution.blocked);
     if (iterate(feet, solution.blocked))
       solution = {Corner_ball{(offset(feet[0]) + offset(feet[1]) + offset(feet[2])) / 3, {feet.begin(), feet.end()}},
                   std::nullopt};

@@ -104,6 +104,17 @@ class Plane_balls {
     return (cut > 0) == (distance_ < 0) ? Order::back : Order::ahead;
   }
 
+  /// True if the ball of a trio cuts no other plane. Diagonals tell this by themselves in a corner of one vertex only.
+  [[nodiscard]] bool is_clear(const Trio& t) const {
+    const Vec center = scaled_center(t) / determinant(t);
+    const double allowed = same_ball * std::abs(distance_);
+    for (std::size_t k = 0; k < normal_.size(); ++k) {
+      const double cut = normal_[k].dot(center) - height_[k];
+      if (determinant(t) > least_volume && (distance_ < 0 ? cut : -cut) > allowed) return false;
+    }
+    return true;
+  }
+
  private:
   /// The centre as seen from the origin, times the determinant (Cramer's rule).
   [[nodiscard]] Vec scaled_center(const Trio& t) const {
@@ -194,10 +205,11 @@ Corner_balls find_corner_balls(const Base_surface& surface, const std::vector<st
   const Plane_balls planes(surface, sectors, distance);
   std::vector<Trio> trios;
   for (std::size_t k = 2; k < sectors.size(); ++k) trios.push_back({0, k - 1, k});
-  if (!flip_diagonals(trios, [&](const Diagonal& d) -> std::optional<Order> {
-        return planes.order(trios[d.trio[0]], trios[d.trio[1]], d);
-      }))
-    return {};
+  const auto order = [&](const Diagonal& d) -> std::optional<Order> {
+    return planes.order(trios[d.trio[0]], trios[d.trio[1]], d);
+  };
+  if (!flip_diagonals(trios, order)) return {};
+  if (!std::all_of(trios.begin(), trios.end(), [&](const Trio& t) { return planes.is_clear(t); })) return {};
   // Where the sectors are curved their balls may have another order; on planes nothing is left to flip.
   Surface_balls balls(surface, sectors, planes, distance);
   Corner_balls none;

@@ -29,7 +29,8 @@ struct Corner_balls {
 };
 
 /// Finds the balls that touch three sectors or more and cut none: for the tangent planes first, then on the surface.
-/// \param sectors counterclockwise seen from outside; per sector its halfedges that point to the vertex
+/// \param sectors counterclockwise seen from outside; per sector its halfedges that point to the vertex, or to one of
+/// those that the corner stretches over
 /// \param distance of the centres from the surface along its normals, negative inside the solid
 [[nodiscard]] Corner_balls find_corner_balls(const Base_surface& surface,
                                              const std::vector<std::vector<Halfedge>>& sectors, double distance);

@@ -11,6 +11,7 @@
 #include "map_region.h"
 #include "open_branch.h"
 #include "refusal.h"
+#include "resting_balls.h"
 #include "rolling_ball.h"
 #include "sharp_mesh.h"
 #include "stitching.h"
@@ -116,6 +117,7 @@ struct Job {
   std::array<Vertex, 2> ends;  // of an open branch
   bool waits = false;          // for a later pass
   std::optional<Between_balls> between;  // a spine across a corner
+  bool swallowed = false;                // by the balls at its ends, which leave nothing of it
 };
 
 struct Assembly {
@@ -219,9 +221,10 @@ class Engine {
   /// Decides which branches have to wait. Where one goes first, the others roll over its end.
   void set_order() {
     const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_, &blend_faces_);
+    rest_balls(surface);
     std::map<Vertex, std::size_t> first;  // corners without a ball at rest: the branch that goes first
     for (const auto& [v, node] : nodes_) {
-      if (node.size() == 1 || !corners_at(v, surface).empty()) continue;
+      if (node.size() == 1 || rest_.at(v)) continue;
       if (const auto refused = no_order(v, surface)) {
         for (const auto& [i, end] : node) jobs_[i].report.diagnosis = *refused;
         continue;
@@ -255,7 +258,8 @@ class Engine {
     }
     for (Job& job : jobs_)
       if (job.between)
-        for (const auto& [i, end] : nodes_.at(job.between->corner)) job.waits = job.waits || jobs_[i].waits;
+        for (const auto& [i, end] : rest_.corners.at(job.between->corner).branches)
+          job.waits = job.waits || jobs_[i].waits;
     const auto runs = [](const Job& job) { return !job.waits && job.report.diagnosis.ok(); };
     if (std::any_of(jobs_.begin(), jobs_.end(), runs)) return;
     // All wait for each other: one goes first, and the corners with a ball on its way are finished later.
@@ -285,8 +289,8 @@ class Engine {
     }
     // Blends that are to go on regardless end flat there.
     if (node.size() <= 3 || options_.keep_going) return std::nullopt;
-    const auto blocked = blocked_.find(v);
-    if (blocked != blocked_.end()) return refusal(Status::radius_exceeds_face, blocked->second);
+    const auto blocked = rest_.blocked.find(v);
+    if (blocked != rest_.blocked.end()) return refusal(Status::radius_exceeds_face, blocked->second);
     diagnosis.detail = "no balls at rest there touch all of the faces";
     return diagnosis;
   }
@@ -526,7 +530,7 @@ class Engine {
   Diagnosis roll_all() {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
-      if (job.rolled || job.waits || !job.report.diagnosis.ok()) continue;
+      if (job.rolled || job.waits || job.swallowed || !job.report.diagnosis.ok()) continue;
       progress_ = static_cast<double>(i) / static_cast<double>(jobs_.size());
       if (is_cancelled()) return {Status::cancelled, "", {}, {}};
       for (; job.level < levels_of(job); ++job.level) {
@@ -612,14 +616,14 @@ class Engine {
   }
 
   /// The ball at rest that a branch ends at, or null.
-  const Blend_corner* ball_at(const Job& job, std::size_t index, int end) {
+  [[nodiscard]] const Blend_corner* ball_at(const Job& job, std::size_t index, int end) const {
     const Vertex v = job.ends[end];
     if (job.between) return &corners_.at(v)[job.between->ball[end]];
     const auto resumed = resumed_.find(v);
     if (resumed != resumed_.end()) return &corners_.at(resumed->second).front();
-    if (nodes_.at(v).size() == 1) return nullptr;
+    if (!rest_.at(v)) return nullptr;
     const std::pair<std::size_t, int> branch(index, end);
-    for (const Blend_corner& corner : corners_at(v, *job.open->surface))
+    for (const Blend_corner& corner : corners_.at(rest_.corner_of.at(v)))
       if (std::find(corner.branches.begin(), corner.branches.end(), branch) != corner.branches.end()) return &corner;
     return nullptr;
   }
@@ -628,46 +632,28 @@ class Engine {
     return radius * std::min(snap_of_radius, snap_of_facet * sampling(options_.chord_tolerance).finest);
   }
 
-  /// The balls at rest where several branches meet, if all that meets there is to be blended alike; else none.
-  const std::vector<Blend_corner>& corners_at(Vertex v, const Base_surface& surface) {
-    const auto known = corners_.find(v);
-    if (known != corners_.end()) return known->second;
-    std::vector<Blend_corner>& corners = corners_[v];
-    if (earlier_.flat_corners.count(v) || !wants_balls(v)) return corners;
-    const Blend_mesh& mesh = *body_.mesh;
-    const auto& node = nodes_.at(v);
-    std::vector<std::vector<Halfedge>> sectors;
-    std::vector<std::pair<std::size_t, int>> order;
-    Halfedge h = into(node.front());
-    do {
-      const auto branch = std::find_if(node.begin(), node.end(), [&](const auto& b) { return into(b) == h; });
-      if (branch == node.end()) return corners;  // an edge that stays sharp
-      order.push_back(*branch);
-      sectors.emplace_back();
-      do {
-        h = mesh.prev(mesh.opposite(h));
-        sectors.back().push_back(h);
-      } while (surface.crossable(h));
-    } while (h != into(node.front()));
-    const Job& first = jobs_[node.front().first];
-    const double radius = (*first.law)(node.front().second);
-    const Corner_balls balls = find_corner_balls(surface, sectors, first.curve.convex ? -radius : radius);
-    if (balls.blocked) blocked_[v] = *balls.blocked;
-    corners = blend_corners(balls, order, jobs_.size());
-    for (const Corner_balls::Spine& spine : balls.spines) add_spine(v, balls, spine, node.front());
-    return corners;
-  }
-
-  /// True if the branches that meet there bend the same way and have the same radius.
-  [[nodiscard]] bool wants_balls(Vertex v) const {
-    const auto& node = nodes_.at(v);
-    const Job& first = jobs_[node.front().first];
-    const double radius = (*first.law)(node.front().second);
-    return std::all_of(node.begin(), node.end(), [&](const std::pair<std::size_t, int>& branch) {
-      const Job& job = jobs_[branch.first];
-      return job.report.diagnosis.ok() && job.curve.convex == first.curve.convex &&
-             std::abs((*job.law)(branch.second) - radius) <= same_radius * radius;
-    });
+  /// Finds the balls at rest in all corners, and adds the branches between those of one corner.
+  void rest_balls(const Base_surface& surface) {
+    std::vector<Corner_branch> branches(jobs_.size());
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      if (job.curve.closed) continue;
+      for (const int end : {0, 1}) {
+        branches[i].into[end] = into({i, end});
+        branches[i].radius[end] = (*job.law)(end);
+      }
+      for (const Halfedge h : job.halfedges) branches[i].edges.push_back(body_.mesh->edge(h));
+      branches[i].points = job.curve.points;
+      branches[i].convex = job.curve.convex;
+      branches[i].refused = !job.report.diagnosis.ok();
+    }
+    rest_ = find_resting_balls(surface, branches, earlier_.flat_corners);
+    for (std::size_t i = 0; i < branches.size(); ++i) jobs_[i].swallowed = rest_.swallowed[i];
+    for (const auto& [v, corner] : rest_.corners) {
+      corners_[v] = blend_corners(corner.balls, corner.branches, jobs_.size());
+      for (const Corner_balls::Spine& spine : corner.balls.spines)
+        add_spine(v, corner.balls, spine, corner.branches.front());
+    }
   }
 
   /// Adds the branch between two balls of a corner; `like` is one of those that meet there.
@@ -735,7 +721,7 @@ class Engine {
   void blame_edges() {
     for (const Job& job : jobs_)
       if (job.between && !job.report.diagnosis.ok())
-        for (const auto& [i, end] : nodes_.at(job.between->corner))
+        for (const auto& [i, end] : rest_.corners.at(job.between->corner).branches)
           if (jobs_[i].report.diagnosis.ok()) jobs_[i].report.diagnosis = job.report.diagnosis;
   }
 
@@ -947,9 +933,10 @@ class Engine {
     add_corner_vertices(work);
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
+      if (job.rolled || (job.swallowed && !job.waits))
+        for (const Halfedge h : job.halfedges) curves.insert(work.edge(h));
       if (!job.rolled) continue;
       result.blame = i;
-      for (const Halfedge h : job.halfedges) curves.insert(work.edge(h));
       for (const int side : {0, 1}) {
         Rim rim = job.rims[side];
         if (job.open) share_corner_vertices(*job.open, side, rim);
@@ -1217,8 +1204,8 @@ class Engine {
   std::vector<Job> jobs_;
   std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
   std::map<Vertex, Vertex> resumed_;  // ends of branches in corners of earlier passes: the key of these
-  std::map<Vertex, std::vector<Blend_corner>> corners_;  // empty: no ball is at rest there
-  std::map<Vertex, Vec> blocked_;                        // corners with balls that would reach over a sharp edge: where
+  Resting_balls rest_;
+  std::map<Vertex, std::vector<Blend_corner>> corners_;  // per corner a place for each of its balls
   Stage_times aside_;  // what is no part of blending, over all tries
 };
 

@@ -13,6 +13,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr double clear_of_facet = 0.3;  // rows keep no profile nearer to their end
+constexpr double short_way = 1;         // radii between two balls at rest
 constexpr double fade_of_width = 0.5;   // a fading strip is closed so far from the vertex, in its widths
 
 bool is_before(const Vec& a, const Vec& b, const Vec& outward, double least) { return (b - a).dot(outward) > least; }
@@ -107,6 +108,32 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
   return rim;
 }
 
+/// Rolls the ball along a branch, to the balls at rest where there are some.
+Ball_path roll_to_balls(const Open_branch& branch, const Blend_curve& curve, const Radius_law& law,
+                        const Sampling& steps) {
+  const Base_surface& surface = *branch.surface;
+  const double radius = law.largest();
+  std::array<Ball_position, 2> at_rest;
+  bool both = true;
+  for (const Branch_end& end : branch.ends) {
+    both = both && end.kind == Branch_end::Kind::ball;
+    if (end.kind == Branch_end::Kind::ball)
+      at_rest[end.end] = ball_in_corner(surface, *branch.corner[end.end], branch.place[end.end], end.left(), end.end);
+  }
+  if (branch.between_balls) return roll_between(surface, at_rest, curve.convex, law, steps);
+  Ball_path path = roll_ball({&surface, &surface}, curve, Curve_kind::crease, law, steps);
+  if (path.diagnosis.ok())
+    for (const Branch_end& end : branch.ends)
+      if (end.kind == Branch_end::Kind::ball)
+        end_at(path.positions, at_rest[end.end], end.end, end.direction, clear_of_facet * steps.finest * radius);
+  if (!both || (path.diagnosis.ok() && path.positions.size() >= 2)) return path;
+  // Where little is left of a branch, the ball may not touch both sides beside its vertices.
+  const Vec way = at_rest[1].center - at_rest[0].center;
+  const bool is_ahead = way.dot(curve.points.back() - curve.points.front()) > 0;
+  if (!law.is_constant() || !is_ahead || way.norm() > short_way * radius) return path;
+  return roll_between(surface, at_rest, curve.convex, law, steps);
+}
+
 }  // namespace
 
 Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& law, const Profile& profile,
@@ -121,21 +148,13 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
     curve.overhang[end.end] = end.reach;
     for (const auto& chain : end.border) surface.extend(chain, end.direction, 2 * end.reach);
   }
-  std::array<Ball_position, 2> at_rest;
-  for (const Branch_end& end : branch.ends)
-    if (end.kind == Branch_end::Kind::ball)
-      at_rest[end.end] = ball_in_corner(surface, *branch.corner[end.end], branch.place[end.end], end.left(), end.end);
-  Ball_path path = branch.between_balls ? roll_between(surface, at_rest, curve.convex, law, steps)
-                                        : roll_ball(surfaces, curve, Curve_kind::crease, law, steps);
+  Ball_path path = roll_to_balls(branch, curve, law, steps);
   result.diagnosis = path.diagnosis;
   if (!path.diagnosis.ok()) return result;
   const double facet = steps.finest * radius;
-  for (const Branch_end& end : branch.ends) {
-    if (end.kind == Branch_end::Kind::ball && !branch.between_balls)
-      end_at(path.positions, at_rest[end.end], end.end, end.direction, clear_of_facet * facet);
+  for (const Branch_end& end : branch.ends)
     if (end.kind == Branch_end::Kind::fade)
       end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
-  }
   for (const Branch_end& end : branch.ends) {
     if (!branch.through[end.end]) continue;
     const Vec ahead = end.end == 1 ? end.direction : Vec(-end.direction);
