@@ -18,7 +18,11 @@ namespace cgal_blend {
 namespace {
 
 constexpr double same_ball = 1e-6;  // of the radius: centres so near are one ball's, and the solver tells others apart
-constexpr double least_volume = 1e-3;  // of the normals' determinant: flatter corners have no ball at rest
+
+// Of the normals' determinant: flatter trios have no ball at rest. Three branches can meet in passes then, and do so
+// well where the corner is flat; more cannot, and balls are sought as long as rounding leaves their place known.
+constexpr double least_volume_of_three = 1e-3;
+constexpr double least_volume_of_many = 1e-6;
 
 using Sectors = std::vector<std::vector<Halfedge>>;
 
@@ -94,6 +98,10 @@ class Plane_balls {
     return normal_[t[0]].dot(normal_[t[1]].cross(normal_[t[2]]));
   }
 
+  [[nodiscard]] bool is_solid(const Trio& t) const {
+    return determinant(t) > (normal_.size() == 3 ? least_volume_of_three : least_volume_of_many);
+  }
+
   [[nodiscard]] Vec center(const Trio& t) const { return origin_ + scaled_center(t) / determinant(t); }
 
   /// Without divisions: balls of trios on the way may be far away.
@@ -110,7 +118,7 @@ class Plane_balls {
     const double allowed = same_ball * std::abs(distance_);
     for (std::size_t k = 0; k < normal_.size(); ++k) {
       const double cut = normal_[k].dot(center) - height_[k];
-      if (determinant(t) > least_volume && (distance_ < 0 ? cut : -cut) > allowed) return false;
+      if (is_solid(t) && (distance_ < 0 ? cut : -cut) > allowed) return false;
     }
     return true;
   }
@@ -139,7 +147,7 @@ class Surface_balls {
     const auto found = balls_.find(t);
     if (found != balls_.end()) return found->second;
     Corner_solution solution;
-    if (planes_.determinant(t) > least_volume)
+    if (planes_.is_solid(t))
       solution =
           find_corner_ball(surface_, {&sectors_[t[0]], &sectors_[t[1]], &sectors_[t[2]]}, planes_.center(t), distance_);
     return balls_.emplace(t, std::move(solution)).first->second;
