@@ -144,6 +144,11 @@ class Engine {
     Fillet_pass pass;
     Fillet_outcome& outcome = pass.outcome;
     outcome.diagnosis = prepare(blends);
+    if (!given_up_.empty()) {
+      pass.flat_corners = given_up_;
+      pass.again = true;
+      return pass;
+    }
     while (outcome.diagnosis.ok()) {
       outcome.diagnosis = roll_all();
       pass.again = options_.keep_going && refused_at_corner();
@@ -274,9 +279,20 @@ class Engine {
         jobs_[i].waits = false;
         return;
       }
+    if (options_.keep_going) give_up_waiting_corners();
+    if (!given_up_.empty()) return;
     for (Job& job : jobs_)
       if (job.waits && !job.between && job.report.diagnosis.ok())
         job.report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(job.ends[0])));
+  }
+
+  /// Blends that would wait for each other for ever end flat at corners of four and more instead.
+  void give_up_waiting_corners() {
+    for (const auto& [v, corner] : rest_.corners) {
+      const bool waits = std::any_of(corner.branches.begin(), corner.branches.end(),
+                                     [&](const auto& branch) { return jobs_[branch.first].waits; });
+      if (waits && corner.branches.size() > 3) given_up_.push_back(v);
+    }
   }
 
   /// Why the blends at a corner without balls at rest cannot be made one after the other; nothing if they can.
@@ -1205,6 +1221,7 @@ class Engine {
   std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
   std::map<Vertex, Vertex> resumed_;  // ends of branches in corners of earlier passes: the key of these
   Resting_balls rest_;
+  std::vector<Vertex> given_up_;                         // corners whose branches would wait for ever
   std::map<Vertex, std::vector<Blend_corner>> corners_;  // per corner a place for each of its balls
   Stage_times aside_;  // what is no part of blending, over all tries
 };
