@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <set>
 
 namespace cgal_blend {
 
@@ -24,40 +26,37 @@ class Rest_finder {
   }
 
   Resting_balls run() {
-    std::map<Vertex, std::size_t> count;
-    for (const Corner_branch& branch : branches_)
-      for (const Halfedge h : branch.into)
-        if (h != Blend_mesh::null_halfedge()) ++count[mesh_.target(h)];
-    for (const auto& [v, n] : count)
-      if (n > 1) result_.corner_of[v] = v;
-    for (const auto& [v, n] : count)
-      if (n > 1) seek(v);
-    std::vector<bool> tried(branches_.size(), false);
-    for (std::size_t i = 0; i < branches_.size(); ++i) {
-      if (tried[i] || result_.swallowed[i] || !is_swallowed(i)) continue;
-      tried[i] = true;
-      if (!swallow(i)) continue;
-      std::fill(tried.begin(), tried.end(), false);
-      i = static_cast<std::size_t>(-1);  // its neighbours end at other balls now
+    for (std::size_t i = 0; i < branches_.size(); ++i)
+      for (const int end : {0, 1})
+        if (branches_[i].into[end] != Blend_mesh::null_halfedge()) parts_[vertex({i, end})].ends.emplace_back(i, end);
+    for (auto part = parts_.begin(); part != parts_.end();)
+      part = part->second.ends.size() > 1 ? std::next(part) : parts_.erase(part);
+    for (auto& [v, part] : parts_) {
+      part.vertices = {v};
+      result_.corner_of[v] = v;
+    }
+    for (const auto& [v, part] : parts_) seek(v);
+    std::set<std::size_t> open;
+    for (std::size_t i = 0; i < branches_.size(); ++i) open.insert(open.end(), i);
+    while (!open.empty()) {
+      const std::size_t i = *open.begin();
+      open.erase(open.begin());
+      if (!is_swallowed(i) || !swallow(i)) continue;
+      // Its neighbours end at other balls now.
+      for (const auto& [k, end] : parts_.at(result_.corner_of.at(vertex({i, 0}))).ends) open.insert(k);
     }
     return std::move(result_);
   }
 
  private:
+  /// What a corner consists of.
+  struct Part {
+    std::vector<Vertex> vertices;
+    std::vector<Branch_end_index> ends;  // of the branches that meet there, in no order
+  };
+
   [[nodiscard]] Vertex vertex(const Branch_end_index& end) const {
     return mesh_.target(branches_[end.first].into[end.second]);
-  }
-
-  /// The branches that meet in a corner, in no order.
-  [[nodiscard]] std::vector<Branch_end_index> node(Vertex key) const {
-    std::vector<Branch_end_index> found;
-    for (std::size_t i = 0; i < branches_.size(); ++i)
-      for (const int end : {0, 1}) {
-        if (result_.swallowed[i] || branches_[i].into[end] == Blend_mesh::null_halfedge()) continue;
-        const auto corner = result_.corner_of.find(vertex({i, end}));
-        if (corner != result_.corner_of.end() && corner->second == key) found.emplace_back(i, end);
-      }
-    return found;
   }
 
   [[nodiscard]] bool wants_balls(const std::vector<Branch_end_index>& node) const {
@@ -72,7 +71,7 @@ class Rest_finder {
 
   /// Looks for the balls of a corner; false if there are none.
   bool seek(Vertex key) {
-    const std::vector<Branch_end_index> meeting = node(key);
+    const std::vector<Branch_end_index>& meeting = parts_.at(key).ends;
     if (meeting.empty() || !wants_balls(meeting)) return false;
     Resting_balls::Corner corner;
     std::vector<std::vector<Halfedge>> sectors;
@@ -127,7 +126,7 @@ class Rest_finder {
   /// True if the balls at the ends of a straight branch have met, or passed each other.
   [[nodiscard]] bool is_swallowed(std::size_t i) const {
     const Corner_branch& branch = branches_[i];
-    if (branch.into[0] == Blend_mesh::null_halfedge() || branch.refused) return false;
+    if (result_.swallowed[i] || branch.into[0] == Blend_mesh::null_halfedge() || branch.refused) return false;
     if (std::abs(branch.radius[0] - branch.radius[1]) > same_radius * branch.radius[0]) return false;
     const auto from = center({i, 0}), to = center({i, 1});
     if (!from || !to) return false;
@@ -139,16 +138,27 @@ class Rest_finder {
 
   /// Makes one corner of the ends of a branch; false, and nothing has changed, if it has no balls.
   bool swallow(std::size_t i) {
-    const Resting_balls before = result_;
     const Vertex key = result_.corner_of.at(vertex({i, 0})), other = result_.corner_of.at(vertex({i, 1}));
-    result_.swallowed[i] = true;
-    for (auto& [v, corner] : result_.corner_of)
-      if (corner == other) corner = key;
-    result_.corners.erase(key);
-    result_.corners.erase(other);
+    const Part own = parts_.at(key), added = key != other ? parts_.at(other) : Part{};
+    Part& joined = parts_.at(key);
+    joined.vertices.insert(joined.vertices.end(), added.vertices.begin(), added.vertices.end());
+    joined.ends.insert(joined.ends.end(), added.ends.begin(), added.ends.end());
+    joined.ends.erase(
+        std::remove_if(joined.ends.begin(), joined.ends.end(), [&](const Branch_end_index& b) { return b.first == i; }),
+        joined.ends.end());
+    const Resting_balls::Corner before = result_.corners.at(key);
     inner_.insert(branches_[i].edges.begin(), branches_[i].edges.end());
-    if (seek(key)) return true;
-    result_ = before;
+    if (seek(key)) {
+      result_.swallowed[i] = true;
+      for (const Vertex v : added.vertices) result_.corner_of[v] = key;
+      if (key != other) {
+        result_.corners.erase(other);
+        parts_.erase(other);
+      }
+      return true;
+    }
+    joined = own;
+    result_.corners[key] = before;
     for (const Edge e : branches_[i].edges) inner_.erase(e);
     return false;
   }
@@ -158,6 +168,7 @@ class Rest_finder {
   const std::vector<Corner_branch>& branches_;
   const std::unordered_set<Vertex>& flat_;
   std::unordered_set<Edge> inner_;  // of swallowed branches
+  std::map<Vertex, Part> parts_;    // by the keys of the corners
   Resting_balls result_;
 };
 
