@@ -37,7 +37,7 @@ struct Fillet_pass {
   std::vector<Later_blend::Step> creases;  ///< edges that count as sharp for them, whatever their angle
   std::vector<Unfinished_corner> corners;
   std::vector<std::pair<std::size_t, Edge_blend>> refused;  ///< by the place of their report
-  std::vector<Vertex> flat_corners;                         ///< refused: the blends between the balls there
+  std::vector<Vertex> flat_corners;                         ///< to be tried anew without balls at rest
   bool again = false;  ///< only refusals have been found: the rest is to be blended without them
 };
 

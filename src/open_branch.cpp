@@ -13,6 +13,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr double clear_of_facet = 0.3;  // rows keep no profile nearer to their end
+constexpr double shared_of_snap = 4;    // rims that meet in a contact keep apart before it
 constexpr double short_way = 1;         // radii between two balls at rest
 constexpr double fade_of_width = 0.5;   // a fading strip is closed so far from the vertex, in its widths
 
@@ -79,7 +80,8 @@ std::size_t nearest(const std::vector<Ball_position>& positions, const Vec& p) {
 }
 
 std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<Ball_position>& positions,
-                                const std::array<Strip_end, 2>& ends, int side, double snap, std::size_t& stuck) {
+                                const std::array<Strip_end, 2>& ends, const std::array<Branch_end::Kind, 2>& kinds,
+                                int side, double snap, std::size_t& stuck) {
   const std::size_t row = side == 0 ? 0 : ends[0].last.size() - 1;
   Rim rim;
   rim.surface = &surface;
@@ -93,7 +95,10 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
     points.push_back(station_at(surface, positions[i].foot[side], 0));
   }
   points.push_back(ends[1].rim[side]);
-  auto path = open_path(surface, points, {snap}, stuck);
+  Path_rules rules{snap};
+  for (const int end : {0, 1})
+    if (kinds[end] == Branch_end::Kind::ball) rules.shared_ends[end] = shared_of_snap * snap;
+  auto path = open_path(surface, points, rules, stuck);
   if (!path) {
     stuck = std::min(rim.first + std::max<std::size_t>(stuck, 1) - 1, positions.size() - 1);
     return std::nullopt;
@@ -190,7 +195,8 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
   }
   for (const int side : {0, 1}) {
     std::size_t stuck = 0;
-    auto rim = lay_open_rim(surface, result.positions, branch.strip_ends, side, snap, stuck);
+    auto rim = lay_open_rim(surface, result.positions, branch.strip_ends, {branch.ends[0].kind, branch.ends[1].kind},
+                            side, snap, stuck);
     if (!rim) {
       result.diagnosis = refusal(Status::no_rolling_ball, result.positions[stuck].contact[side]);
       return result;
