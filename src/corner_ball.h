@@ -4,24 +4,34 @@
 
 #include "base_surface.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace cgal_blend {
 
-/// The ball at rest in a corner: it touches every smooth sector of faces around a vertex.
+/// A ball at rest in a corner.
 struct Corner_ball {
   Vec center;
-  std::vector<Surface_point> foot;  ///< per sector
+  std::vector<Surface_point> foot;  ///< per sector of faces that it touches
 };
 
-/// Finds the ball that touches all sectors, or nothing if there is none: with three sectors by a Newton iteration in the
-/// feet, with more if they happen to have one ball in common.
-/// \param sectors per sector its halfedges that point to the vertex, each standing for its face
+/// Outcome of the search for a ball at rest; `blocked` is where a foot ran into a sharp edge, if one did.
+struct Corner_solution {
+  std::optional<Corner_ball> ball;
+  std::optional<Vec> blocked;
+};
+
+/// Mean of a sector's normals at the vertex, weighted by angle; unit, outward.
+/// \param sector halfedges that point to the vertex, each standing for its face
+[[nodiscard]] Vec sector_normal(const Base_surface& surface, const std::vector<Halfedge>& sector);
+
+/// Finds the ball that touches three sectors around a vertex by a Newton iteration in its feet.
+/// \param center where to begin: the centre for the tangent planes
 /// \param distance of the centre from the surface along its normals, negative inside the solid
-[[nodiscard]] std::optional<Corner_ball> find_corner_ball(const Base_surface& surface,
-                                                          const std::vector<std::vector<Halfedge>>& sectors,
-                                                          double distance);
+[[nodiscard]] Corner_solution find_corner_ball(const Base_surface& surface,
+                                               const std::array<const std::vector<Halfedge>*, 3>& sectors,
+                                               const Vec& center, double distance);
 
 }  // namespace cgal_blend
 

@@ -2,6 +2,7 @@
 #include "fillet_engine.h"
 
 #include "ancestry.h"
+#include "blend_corners.h"
 #include "blend_curve.h"
 #include "blend_strip.h"
 #include "corner_patch.h"
@@ -10,6 +11,7 @@
 #include "map_region.h"
 #include "open_branch.h"
 #include "refusal.h"
+#include "resting_balls.h"
 #include "rolling_ball.h"
 #include "sharp_mesh.h"
 #include "stitching.h"
@@ -89,6 +91,12 @@ bool status_is_of_mapping(Status status) {
          status == Status::region_too_coarse;
 }
 
+/// Balls of a corner, by their index there, that a branch without edges runs between.
+struct Between_balls {
+  Vertex corner;
+  std::array<std::size_t, 2> ball;
+};
+
 /// One branch on its way to becoming a blend.
 struct Job {
   std::vector<Halfedge> halfedges;
@@ -109,6 +117,8 @@ struct Job {
   std::optional<Open_branch> open;
   std::array<Vertex, 2> ends;  // of an open branch
   bool waits = false;          // for a later pass
+  std::optional<Between_balls> between;  // a spine across a corner
+  bool swallowed = false;                // by the balls at its ends, which leave nothing of it
 };
 
 struct Assembly {
@@ -135,6 +145,11 @@ class Engine {
     Fillet_pass pass;
     Fillet_outcome& outcome = pass.outcome;
     outcome.diagnosis = prepare(blends);
+    if (!given_up_.empty()) {
+      pass.flat_corners = given_up_;
+      pass.again = true;
+      return pass;
+    }
     while (outcome.diagnosis.ok()) {
       outcome.diagnosis = roll_all();
       pass.again = options_.keep_going && refused_at_corner();
@@ -153,7 +168,12 @@ class Engine {
     if (!outcome.ok() && outcome.diagnosis.status != Status::cancelled)
       pass.again = options_.keep_going && refused_at_corner();
     if (!outcome.ok()) out.clear();
+    if (!pass.again) blame_edges();
     for (const Job& job : jobs_) {
+      if (job.between) {
+        if (!job.report.diagnosis.ok()) pass.flat_corners.push_back(job.between->corner);
+        continue;
+      }
       if (pass.again && job.report.diagnosis.ok()) continue;
       if (job.waits && job.report.diagnosis.ok() && outcome.ok()) continue;
       if (!job.report.diagnosis.ok()) pass.refused.push_back({outcome.blends.size(), blend_of(job)});
@@ -207,14 +227,12 @@ class Engine {
   /// Decides which branches have to wait. Where one goes first, the others roll over its end.
   void set_order() {
     const Base_surface surface(*body_.mesh, open_surface_options(0), &creases_, &blend_faces_);
+    rest_balls(surface);
     std::map<Vertex, std::size_t> first;  // corners without a ball at rest: the branch that goes first
     for (const auto& [v, node] : nodes_) {
-      if (node.size() == 1 || corner_at(v, surface)) continue;
-      if (const char* reason = no_order(node, surface)) {
-        for (const auto& [i, end] : node) {
-          jobs_[i].report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
-          jobs_[i].report.diagnosis.detail = reason;
-        }
+      if (node.size() == 1 || rest_.at(v)) continue;
+      if (const auto refused = no_order(v, surface)) {
+        for (const auto& [i, end] : node) jobs_[i].report.diagnosis = *refused;
         continue;
       }
       std::size_t convex = 0;
@@ -244,6 +262,10 @@ class Engine {
         }
       }
     }
+    for (Job& job : jobs_)
+      if (job.between)
+        for (const auto& [i, end] : rest_.corners.at(job.between->corner).branches)
+          job.waits = job.waits || jobs_[i].waits;
     const auto runs = [](const Job& job) { return !job.waits && job.report.diagnosis.ok(); };
     if (std::any_of(jobs_.begin(), jobs_.end(), runs)) return;
     // All wait for each other: one goes first, and the corners with a ball on its way are finished later.
@@ -254,23 +276,40 @@ class Engine {
       });
     };
     for (std::size_t i = 0; i < jobs_.size(); ++i)
-      if (jobs_[i].waits && jobs_[i].report.diagnosis.ok() && may_start(i)) {
+      if (jobs_[i].waits && !jobs_[i].between && jobs_[i].report.diagnosis.ok() && may_start(i)) {
         jobs_[i].waits = false;
         return;
       }
+    if (options_.keep_going) give_up_waiting_corners();
+    if (!given_up_.empty()) return;
     for (Job& job : jobs_)
-      if (job.waits && job.report.diagnosis.ok())
+      if (job.waits && !job.between && job.report.diagnosis.ok())
         job.report.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(job.ends[0])));
   }
 
-  /// Why the blends at a corner without a ball at rest cannot be made one after the other; null if they can.
-  [[nodiscard]] const char* no_order(const std::vector<std::pair<std::size_t, int>>& node,
-                                     const Base_surface& surface) const {
+  /// Blends that would wait for each other for ever end flat at corners of four and more instead.
+  void give_up_waiting_corners() {
+    for (const auto& [v, corner] : rest_.corners) {
+      const bool waits = std::any_of(corner.branches.begin(), corner.branches.end(),
+                                     [&](const auto& branch) { return jobs_[branch.first].waits; });
+      if (waits && corner.branches.size() > 3) given_up_.push_back(v);
+    }
+  }
+
+  /// Why the blends at a corner without balls at rest cannot be made one after the other; nothing if they can.
+  [[nodiscard]] std::optional<Diagnosis> no_order(Vertex v, const Base_surface& surface) const {
+    const auto& node = nodes_.at(v);
+    Diagnosis diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
+    if (node.size() == 2 && is_one_curve(surface, into(node[0]), body_.mesh->opposite(into(node[1])))) {
+      diagnosis.detail = "the blends differ along one smooth curve; give it one radius that varies";
+      return diagnosis;
+    }
     // Blends that are to go on regardless end flat there.
-    if (node.size() > 3 && !options_.keep_going) return "no ball touches all of the faces there";
-    if (node.size() == 2 && is_one_curve(surface, into(node[0]), body_.mesh->opposite(into(node[1]))))
-      return "the blends differ along one smooth curve; give it one radius that varies";
-    return nullptr;
+    if (node.size() <= 3 || options_.keep_going) return std::nullopt;
+    const auto blocked = rest_.blocked.find(v);
+    if (blocked != rest_.blocked.end()) return refusal(Status::radius_exceeds_face, blocked->second);
+    diagnosis.detail = "no balls at rest there touch all of the faces";
+    return diagnosis;
   }
 
   /// True if the faces left of two consecutive edges are one smooth surface there, and so are those right of them.
@@ -311,8 +350,8 @@ class Engine {
       if (!third) continue;
       corner.ball.foot = {point_at(surface, corner.chain.back()), *third, point_at(surface, corner.chain.front())};
       const Vertex key = body_.mesh->target(into(node[0].front()));
-      corners_[key] = std::move(corner);
-      for (const int side : {0, 1}) resumed_[body_.mesh->target(into(node[side].front()))] = &corners_[key];
+      corners_[key] = {std::move(corner)};
+      for (const int side : {0, 1}) resumed_[body_.mesh->target(into(node[side].front()))] = key;
     }
   }
 
@@ -520,7 +559,7 @@ class Engine {
   Diagnosis roll_all() {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
-      if (job.rolled || job.waits || !job.report.diagnosis.ok()) continue;
+      if (job.rolled || job.waits || job.swallowed || !job.report.diagnosis.ok()) continue;
       progress_ = static_cast<double>(i) / static_cast<double>(jobs_.size());
       if (is_cancelled()) return {Status::cancelled, "", {}, {}};
       for (; job.level < levels_of(job); ++job.level) {
@@ -539,7 +578,7 @@ class Engine {
 
   /// Where a face ends the ball may go on over its edge: along the edge, or to the face beyond.
   void roll_over_edges(Job& job, std::size_t index) {
-    if (options_.mode == Blend_mode::map || job.profile.is_sharp() || job.over_edges) return;
+    if (options_.mode == Blend_mode::map || job.profile.is_sharp() || job.over_edges || job.between) return;
     job.over_edges = true;
     job.level = 0;  // smoother views would round the edges off
     job.report.over_edges = job.rolled = roll(job, index).ok();
@@ -573,30 +612,8 @@ class Engine {
     Base_surface::Options view = open_surface_options(job.level);
     set_rolling(job, view);
     branch.surface = std::make_unique<Base_surface>(*body_.mesh, view, &creases_, &blend_faces_);
-    for (const int end : {0, 1}) {
-      const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
-      const Vertex v = job.ends[end];
-      const auto resumed = resumed_.find(v);
-      Blend_corner* corner = resumed != resumed_.end()   ? resumed->second
-                             : nodes_.at(v).size() > 1 ? corner_at(v, *branch.surface)
-                                                       : nullptr;
-      if (corner) branch.place[end] = place_in_corner(*corner, into);
-      const bool is_complete = corner && std::none_of(corner->branches.begin(), corner->branches.end(), [&](const auto& b) {
-                                 return b.first != Blend_corner::no_branch && jobs_[b.first].waits;
-                               });
-      if (!is_complete) {
-        branch.through[end] = corner;
-        branch.ends[end] = view_end(*branch.surface, into, end, job.curve.convex, radius);
-        continue;
-      }
-      Branch_end& e = branch.ends[end];
-      e.kind = Branch_end::Kind::ball;
-      e.end = end;
-      e.into = into;
-      e.direction = (to_vec(body_.mesh->point(body_.mesh->target(into))) -
-                     to_vec(body_.mesh->point(body_.mesh->source(into)))).normalized();
-      branch.corner[end] = corner;
-    }
+    branch.between_balls = job.between.has_value();
+    for (const int end : {0, 1}) view_end_of(job, index, end);
     Sampling steps = sampling(options_.chord_tolerance);
     steps.samples = options_.samples;
     steps.chord_ratio = options_.chord_ratio;
@@ -610,40 +627,89 @@ class Engine {
     return judge(job);
   }
 
+  /// Finds out what an open branch runs into.
+  void view_end_of(Job& job, std::size_t index, int end) {
+    Open_branch& branch = *job.open;
+    Branch_end& e = branch.ends[end];
+    const Blend_corner* corner = ball_at(job, index, end);
+    if (corner) branch.place[end] = place_in_corner(*corner, {index, end});
+    const bool is_complete =
+        corner && std::none_of(corner->branches.begin(), corner->branches.end(), [&](const auto& b) {
+          return b.first != Blend_corner::no_branch && jobs_[b.first].waits;
+        });
+    if (!is_complete) {
+      branch.through[end] = corner;
+      e = view_end(*branch.surface, into({index, end}), end, job.curve.convex, job.report.radius);
+      return;
+    }
+    e.kind = Branch_end::Kind::ball;
+    e.end = end;
+    branch.corner[end] = corner;
+    if (job.between) {
+      e.direction = (end == 1 ? 1 : -1) * (job.curve.points[1] - job.curve.points[0]).normalized();
+      return;
+    }
+    e.into = into({index, end});
+    e.direction =
+        (to_vec(body_.mesh->point(body_.mesh->target(e.into))) - to_vec(body_.mesh->point(body_.mesh->source(e.into))))
+            .normalized();
+  }
+
+  /// The ball at rest that a branch ends at, or null.
+  [[nodiscard]] const Blend_corner* ball_at(const Job& job, std::size_t index, int end) const {
+    const Vertex v = job.ends[end];
+    if (job.between) return &corners_.at(v)[job.between->ball[end]];
+    const auto resumed = resumed_.find(v);
+    if (resumed != resumed_.end()) return &corners_.at(resumed->second).front();
+    if (!rest_.at(v)) return nullptr;
+    const std::pair<std::size_t, int> branch(index, end);
+    for (const Blend_corner& corner : corners_.at(rest_.corner_of.at(v)))
+      if (std::find(corner.branches.begin(), corner.branches.end(), branch) != corner.branches.end()) return &corner;
+    return nullptr;
+  }
+
   [[nodiscard]] double open_snap(double radius) const {
     return radius * std::min(snap_of_radius, snap_of_facet * sampling(options_.chord_tolerance).finest);
   }
 
-  /// The ball at rest where several branches meet, if all that meets there is to be blended alike.
-  Blend_corner* corner_at(Vertex v, const Base_surface& surface) {
-    const auto known = corners_.find(v);
-    if (known != corners_.end()) return known->second.branches.empty() ? nullptr : &known->second;
-    Blend_corner& corner = corners_[v];
-    const Blend_mesh& mesh = *body_.mesh;
-    const auto& node = nodes_.at(v);
-    const Job& first = jobs_[node.front().first];
-    const double radius = (*first.law)(node.front().second);
-    for (const auto& [i, end] : node)
-      if (!jobs_[i].report.diagnosis.ok() || jobs_[i].curve.convex != first.curve.convex ||
-          std::abs((*jobs_[i].law)(end) - radius) > same_radius * radius)
-        return nullptr;
-    std::vector<std::vector<Halfedge>> sectors;
-    std::vector<std::pair<std::size_t, int>> order;
-    Halfedge h = into(node.front());
-    do {
-      const auto branch = std::find_if(node.begin(), node.end(), [&](const auto& b) { return into(b) == h; });
-      if (branch == node.end()) return nullptr;  // an edge that stays sharp
-      order.push_back(*branch);
-      sectors.emplace_back();
-      do {
-        h = mesh.prev(mesh.opposite(h));
-        sectors.back().push_back(h);
-      } while (surface.crossable(h));
-    } while (h != into(node.front()));
-    auto ball = find_corner_ball(surface, sectors, first.curve.convex ? -radius : radius);
-    if (!ball) return nullptr;
-    corner = {std::move(order), std::move(*ball), {}, {}};
-    return &corner;
+  /// Finds the balls at rest in all corners, and adds the branches between those of one corner.
+  void rest_balls(const Base_surface& surface) {
+    std::vector<Corner_branch> branches(jobs_.size());
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      if (job.curve.closed) continue;
+      for (const int end : {0, 1}) {
+        branches[i].into[end] = into({i, end});
+        branches[i].radius[end] = (*job.law)(end);
+      }
+      for (const Halfedge h : job.halfedges) branches[i].edges.push_back(body_.mesh->edge(h));
+      branches[i].points = job.curve.points;
+      branches[i].convex = job.curve.convex;
+      branches[i].refused = !job.report.diagnosis.ok();
+    }
+    rest_ = find_resting_balls(surface, branches, earlier_.flat_corners);
+    for (std::size_t i = 0; i < branches.size(); ++i) jobs_[i].swallowed = rest_.swallowed[i];
+    for (const auto& [v, corner] : rest_.corners) {
+      corners_[v] = blend_corners(corner.balls, corner.branches, jobs_.size());
+      for (const Corner_balls::Spine& spine : corner.balls.spines)
+        add_spine(v, corner.balls, spine, corner.branches.front());
+    }
+  }
+
+  /// Adds the branch between two balls of a corner; `like` is one of those that meet there.
+  void add_spine(Vertex v, const Corner_balls& balls, const Corner_balls::Spine& spine,
+                 const std::pair<std::size_t, int>& like) {
+    Job job;
+    const Job& model = jobs_[like.first];
+    job.between = {v, spine.ball};
+    job.ends = {v, v};
+    job.report.radius = (*model.law)(like.second);
+    job.report.closed = job.curve.closed = false;
+    job.report.convex = job.curve.convex = model.curve.convex;
+    job.law = Radius_law(job.report.radius);
+    job.profile = model.profile;
+    for (const std::size_t ball : spine.ball) job.curve.points.push_back(balls.balls[ball].rest.center);
+    jobs_.push_back(std::move(job));
   }
 
   /// The refusal of a blend that is folded: by what joins a mended spine, or by rough surfaces.
@@ -691,8 +757,19 @@ class Engine {
     return {};
   }
 
+  /// What fails between the balls of a corner fails for the branches that meet there.
+  void blame_edges() {
+    for (const Job& job : jobs_)
+      if (job.between && !job.report.diagnosis.ok())
+        for (const auto& [i, end] : rest_.corners.at(job.between->corner).branches)
+          if (jobs_[i].report.diagnosis.ok()) jobs_[i].report.diagnosis = job.report.diagnosis;
+  }
+
   /// True if a branch is refused on which others count in a corner: these are to be looked at anew without it.
   [[nodiscard]] bool refused_at_corner() const {
+    if (std::any_of(jobs_.begin(), jobs_.end(),
+                    [](const Job& job) { return job.between && !job.report.diagnosis.ok(); }))
+      return true;
     for (const auto& [v, node] : nodes_) {
       const auto refused = std::count_if(node.begin(), node.end(), [&](const auto& branch) {
         return !jobs_[branch.first].report.diagnosis.ok();
@@ -811,7 +888,7 @@ class Engine {
     const auto step = [&](Vertex a, Vertex b) { return Later_blend::Step(work.point(a), work.point(b)); };
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       const Job& job = jobs_[i];
-      if (!job.waits || !job.report.diagnosis.ok()) continue;
+      if (!job.waits || job.between || !job.report.diagnosis.ok()) continue;
       place[i] = result.later.size();
       Later_blend& later = result.later.emplace_back();
       if (job.law->is_constant())
@@ -874,7 +951,7 @@ class Engine {
     bool some = false;
     for (const Job& job : jobs_) {
       if (job.report.diagnosis.ok())
-        some = some || !job.waits;
+        some = some || (!job.waits && !job.between);
       else if (!refused)
         refused = &job;
     }
@@ -896,9 +973,10 @@ class Engine {
     add_corner_vertices(work);
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       Job& job = jobs_[i];
+      if (job.rolled || (job.swallowed && !job.waits))
+        for (const Halfedge h : job.halfedges) curves.insert(work.edge(h));
       if (!job.rolled) continue;
       result.blame = i;
-      for (const Halfedge h : job.halfedges) curves.insert(work.edge(h));
       for (const int side : {0, 1}) {
         Rim rim = job.rims[side];
         if (job.open) share_corner_vertices(*job.open, side, rim);
@@ -917,20 +995,8 @@ class Engine {
         filled.insert(parts.filled.begin(), parts.filled.end());
       }
     }
-    for (const auto& [v, corner] : corners_) {
-      if (corner.chain.empty()) continue;
-      const std::size_t i = corner.branches.back().first;
-      if (!jobs_[i].rolled || !jobs_[corner.branches[1].first].rolled) continue;
-      Rim cut;
-      cut.surface = jobs_[i].open->surface.get();
-      cut.path.closed = false;
-      for (const Vertex w : corner.chain)
-        cut.path.stations.push_back(station_at(*cut.surface, work.face(work.halfedge(w)), w));
-      cut.keep_left = false;
-      cut.blend = i;
-      cut.vertices = corner.chain;
-      cuts.push_back(std::move(cut));
-    }
+    for (const auto& [v, corners] : corners_)
+      if (!corners.empty() && !corners.front().chain.empty()) add_chain(corners.front(), cuts);
     std::vector<Rim> all = rims;
     all.insert(all.end(), cuts.begin(), cuts.end());
     Trimming trimming = trim(work, body_.cells, all, curves, filled);
@@ -946,22 +1012,40 @@ class Engine {
     return result;
   }
 
+  /// Cuts the blend of an earlier pass where its ball is at rest.
+  void add_chain(const Blend_corner& corner, std::vector<Rim>& cuts) const {
+    const std::size_t i = corner.branches.back().first;
+    if (!jobs_[i].rolled || !jobs_[corner.branches[1].first].rolled) return;
+    Rim cut;
+    cut.surface = jobs_[i].open->surface.get();
+    cut.path.closed = false;
+    for (const Vertex w : corner.chain)
+      cut.path.stations.push_back(station_at(*cut.surface, body_.mesh->face(body_.mesh->halfedge(w)), w));
+    cut.keep_left = false;
+    cut.blend = i;
+    cut.vertices = corner.chain;
+    cuts.push_back(std::move(cut));
+  }
+
   /// Where blends meet in a corner their rims meet, in the contacts of the ball at rest there.
   void add_corner_vertices(Blend_mesh& work) {
-    for (auto& [v, corner] : corners_) {
-      corner.contact.assign(corner.branches.size(), Blend_mesh::null_vertex());
-      for (std::size_t k = 0; k < corner.branches.size(); ++k) {
-        const auto [i, end] = corner.branches[k];
-        if (i == Blend_corner::no_branch) {
-          corner.contact[0] = corner.chain.back();
-          continue;
-        }
-        if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) continue;
-        const Open_branch& branch = *jobs_[i].open;
-        const Station& s = branch.strip_ends[end].rim[1 - branch.ends[end].left()];
-        corner.contact[k] =
-            s.kind == Station::Kind::vertex ? body_.cells.vertex(0, s.vertex) : work.add_vertex(to_point(s.point));
+    for (auto& [v, corners] : corners_)
+      for (Blend_corner& corner : corners) add_contacts(work, corner);
+  }
+
+  void add_contacts(Blend_mesh& work, Blend_corner& corner) const {
+    corner.contact.assign(corner.branches.size(), Blend_mesh::null_vertex());
+    for (std::size_t k = 0; k < corner.branches.size(); ++k) {
+      const auto [i, end] = corner.branches[k];
+      if (i == Blend_corner::no_branch) {
+        corner.contact[0] = corner.chain.back();
+        continue;
       }
+      if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) continue;
+      const Open_branch& branch = *jobs_[i].open;
+      const Station& s = branch.strip_ends[end].rim[1 - branch.ends[end].left()];
+      corner.contact[k] =
+          s.kind == Station::Kind::vertex ? body_.cells.vertex(0, s.vertex) : work.add_vertex(to_point(s.point));
     }
   }
 
@@ -976,10 +1060,10 @@ class Engine {
     }
   }
 
-  [[nodiscard]] std::size_t place_in_corner(const Blend_corner& corner, Halfedge in) const {
-    std::size_t k = 0;
-    while (corner.branches[k].first == Blend_corner::no_branch || into(corner.branches[k]) != in) ++k;
-    return k;
+  [[nodiscard]] static std::size_t place_in_corner(const Blend_corner& corner,
+                                                   const std::pair<std::size_t, int>& branch) {
+    return static_cast<std::size_t>(std::find(corner.branches.begin(), corner.branches.end(), branch) -
+                                    corner.branches.begin());
   }
 
   void stitch(Blend_mesh& work, const std::vector<Rim>& rims,
@@ -1027,36 +1111,41 @@ class Engine {
       if (origins[f] == no_origin) result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(f)));
   }
 
-  /// The part of the ball at rest that is left between the strips.
+  /// The parts of the balls at rest that are left between the strips.
   bool fill_corners(Blend_mesh& work, const std::map<std::size_t, std::array<End_assembly, 2>>& ends,
                     std::vector<Triangle>& triangles, Assembly& result) {
-    for (const auto& [v, corner] : corners_) {
-      std::vector<Vertex> loop;
-      for (const auto& [i, end] : corner.branches) {
-        if (i == Blend_corner::no_branch) {
-          loop.insert(loop.end(), corner.chain.begin(), corner.chain.end() - 1);
-          continue;
+    for (const auto& [v, corners] : corners_)
+      for (const Blend_corner& corner : corners) {
+        const std::vector<Vertex> loop = loop_around(corner, ends);
+        if (loop.empty()) continue;
+        const std::size_t i = corner.branches.back().first;
+        const double facet = sampling(options_.chord_tolerance).finest * jobs_[i].report.radius;
+        const std::vector<Triangle> patch = tessellate_corner(work, corner.ball.center, loop, facet);
+        if (patch.empty()) {
+          result.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
+          result.blame = i;
+          return false;
         }
-        if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) {
-          loop.clear();
-          break;
-        }
-        std::vector<Vertex> arc = ends.at(i)[end].border.hit;
-        if (jobs_[i].open->ends[end].left() == 1) std::reverse(arc.begin(), arc.end());
-        loop.insert(loop.end(), arc.begin(), arc.end() - 1);
+        triangles.insert(triangles.end(), patch.begin(), patch.end());
       }
-      if (loop.empty()) continue;
-      const std::size_t i = corner.branches.back().first;
-      const double facet = sampling(options_.chord_tolerance).finest * jobs_[i].report.radius;
-      const std::vector<Triangle> patch = tessellate_corner(work, corner.ball.center, loop, facet);
-      if (patch.empty()) {
-        result.diagnosis = refusal(Status::corner, to_vec(body_.mesh->point(v)));
-        result.blame = i;
-        return false;
-      }
-      triangles.insert(triangles.end(), patch.begin(), patch.end());
-    }
     return true;
+  }
+
+  /// The arcs in which blends end at a ball at rest, one after the other; empty if not all are there.
+  [[nodiscard]] std::vector<Vertex> loop_around(const Blend_corner& corner,
+                                                const std::map<std::size_t, std::array<End_assembly, 2>>& ends) const {
+    std::vector<Vertex> loop;
+    for (const auto& [i, end] : corner.branches) {
+      if (i == Blend_corner::no_branch) {
+        loop.insert(loop.end(), corner.chain.begin(), corner.chain.end() - 1);
+        continue;
+      }
+      if (!jobs_[i].rolled || !jobs_[i].open->corner[end]) return {};
+      std::vector<Vertex> arc = ends.at(i)[end].border.hit;
+      if (jobs_[i].open->ends[end].left() == 1) std::reverse(arc.begin(), arc.end());
+      loop.insert(loop.end(), arc.begin(), arc.end() - 1);
+    }
+    return loop;
   }
 
   /// Moves the vertices that stitching would remove onto the blends.
@@ -1154,8 +1243,10 @@ class Engine {
   std::map<std::tuple<std::size_t, int, double, bool, int>, std::unique_ptr<Base_surface>> surfaces_;
   std::vector<Job> jobs_;
   std::map<Vertex, std::vector<std::pair<std::size_t, int>>> nodes_;  // branches and their ends, by vertex
-  std::map<Vertex, Blend_corner*> resumed_;                          // ends of branches in corners of earlier passes
-  std::map<Vertex, Blend_corner> corners_;                           // without branches: no ball is at rest there
+  std::map<Vertex, Vertex> resumed_;  // ends of branches in corners of earlier passes: the key of these
+  Resting_balls rest_;
+  std::vector<Vertex> given_up_;                         // corners whose branches would wait for ever
+  std::map<Vertex, std::vector<Blend_corner>> corners_;  // per corner a place for each of its balls
   Stage_times aside_;  // what is no part of blending, over all tries
 };
 
@@ -1177,6 +1268,7 @@ Fillet_pass fillet_pass(const Fillet_body& body, const std::vector<Edge_blend>& 
         left_out.insert(blend.edges.begin(), blend.edges.end());
       }
       before.creases.insert(before.creases.end(), left_out.begin(), left_out.end());
+      before.flat_corners.insert(pass.flat_corners.begin(), pass.flat_corners.end());
       for (Edge_blend& blend : wanted)
         blend.edges.erase(std::remove_if(blend.edges.begin(), blend.edges.end(),
                                          [&](Edge e) { return left_out.count(e) != 0; }),

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct Fillet_pass {
   std::vector<Later_blend::Step> creases;  ///< edges that count as sharp for them, whatever their angle
   std::vector<Unfinished_corner> corners;
   std::vector<std::pair<std::size_t, Edge_blend>> refused;  ///< by the place of their report
+  std::vector<Vertex> flat_corners;                         ///< to be tried anew without balls at rest
   bool again = false;  ///< only refusals have been found: the rest is to be blended without them
 };
 
@@ -44,6 +46,7 @@ struct Earlier_blends {
   std::vector<Edge> creases;  ///< edges that count as sharp
   std::vector<Face> faces;    ///< of the blends
   std::vector<Unfinished_corner> corners;
+  std::unordered_set<Vertex> flat_corners = {};  ///< corners whose balls at rest have been tried in vain
 };
 
 /// Blends those edges of a body that need not wait; see `fillet_edges`. The faces of the bases that are kept come first

@@ -13,6 +13,8 @@ namespace cgal_blend {
 namespace {
 
 constexpr double clear_of_facet = 0.3;  // rows keep no profile nearer to their end
+constexpr double shared_of_snap = 4;    // rims that meet in a contact keep apart before it
+constexpr double short_way = 1;         // radii between two balls at rest
 constexpr double fade_of_width = 0.5;   // a fading strip is closed so far from the vertex, in its widths
 
 bool is_before(const Vec& a, const Vec& b, const Vec& outward, double least) { return (b - a).dot(outward) > least; }
@@ -78,7 +80,8 @@ std::size_t nearest(const std::vector<Ball_position>& positions, const Vec& p) {
 }
 
 std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<Ball_position>& positions,
-                                const std::array<Strip_end, 2>& ends, int side, double snap, std::size_t& stuck) {
+                                const std::array<Strip_end, 2>& ends, const std::array<Branch_end::Kind, 2>& kinds,
+                                int side, double snap, std::size_t& stuck) {
   const std::size_t row = side == 0 ? 0 : ends[0].last.size() - 1;
   Rim rim;
   rim.surface = &surface;
@@ -92,7 +95,10 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
     points.push_back(station_at(surface, positions[i].foot[side], 0));
   }
   points.push_back(ends[1].rim[side]);
-  auto path = open_path(surface, points, {snap}, stuck);
+  Path_rules rules{snap};
+  for (const int end : {0, 1})
+    if (kinds[end] == Branch_end::Kind::ball) rules.shared_ends[end] = shared_of_snap * snap;
+  auto path = open_path(surface, points, rules, stuck);
   if (!path) {
     stuck = std::min(rim.first + std::max<std::size_t>(stuck, 1) - 1, positions.size() - 1);
     return std::nullopt;
@@ -105,6 +111,32 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
                                    : rim.path.station_of[i - rim.first + 1];
   rim.path.station_of = std::move(station_of);
   return rim;
+}
+
+/// Rolls the ball along a branch, to the balls at rest where there are some.
+Ball_path roll_to_balls(const Open_branch& branch, const Blend_curve& curve, const Radius_law& law,
+                        const Sampling& steps) {
+  const Base_surface& surface = *branch.surface;
+  const double radius = law.largest();
+  std::array<Ball_position, 2> at_rest;
+  bool both = true;
+  for (const Branch_end& end : branch.ends) {
+    both = both && end.kind == Branch_end::Kind::ball;
+    if (end.kind == Branch_end::Kind::ball)
+      at_rest[end.end] = ball_in_corner(surface, *branch.corner[end.end], branch.place[end.end], end.left(), end.end);
+  }
+  if (branch.between_balls) return roll_between(surface, at_rest, curve.convex, law, steps);
+  Ball_path path = roll_ball({&surface, &surface}, curve, Curve_kind::crease, law, steps);
+  if (path.diagnosis.ok())
+    for (const Branch_end& end : branch.ends)
+      if (end.kind == Branch_end::Kind::ball)
+        end_at(path.positions, at_rest[end.end], end.end, end.direction, clear_of_facet * steps.finest * radius);
+  if (!both || (path.diagnosis.ok() && path.positions.size() >= 2)) return path;
+  // Where little is left of a branch, the ball may not touch both sides beside its vertices.
+  const Vec way = at_rest[1].center - at_rest[0].center;
+  const bool is_ahead = way.dot(curve.points.back() - curve.points.front()) > 0;
+  if (!law.is_constant() || !is_ahead || way.norm() > short_way * radius) return path;
+  return roll_between(surface, at_rest, curve.convex, law, steps);
 }
 
 }  // namespace
@@ -121,18 +153,13 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
     curve.overhang[end.end] = end.reach;
     for (const auto& chain : end.border) surface.extend(chain, end.direction, 2 * end.reach);
   }
-  Ball_path path = roll_ball(surfaces, curve, Curve_kind::crease, law, steps);
+  Ball_path path = roll_to_balls(branch, curve, law, steps);
   result.diagnosis = path.diagnosis;
   if (!path.diagnosis.ok()) return result;
   const double facet = steps.finest * radius;
-  for (const Branch_end& end : branch.ends) {
-    if (end.kind == Branch_end::Kind::ball)
-      end_at(path.positions,
-             ball_in_corner(surface, *branch.corner[end.end], branch.place[end.end], end.left(), end.end), end.end,
-             end.direction, clear_of_facet * facet);
+  for (const Branch_end& end : branch.ends)
     if (end.kind == Branch_end::Kind::fade)
       end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
-  }
   for (const Branch_end& end : branch.ends) {
     if (!branch.through[end.end]) continue;
     const Vec ahead = end.end == 1 ? end.direction : Vec(-end.direction);
@@ -168,7 +195,8 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
   }
   for (const int side : {0, 1}) {
     std::size_t stuck = 0;
-    auto rim = lay_open_rim(surface, result.positions, branch.strip_ends, side, snap, stuck);
+    auto rim = lay_open_rim(surface, result.positions, branch.strip_ends, {branch.ends[0].kind, branch.ends[1].kind},
+                            side, snap, stuck);
     if (!rim) {
       result.diagnosis = refusal(Status::no_rolling_ball, result.positions[stuck].contact[side]);
       return result;

@@ -2,8 +2,8 @@
 #ifndef CGAL_BLEND_SRC_OPEN_BRANCH_H
 #define CGAL_BLEND_SRC_OPEN_BRANCH_H
 
+#include "blend_corners.h"
 #include "blend_strip.h"
-#include "corner_ball.h"
 #include "strip_end.h"
 
 #include <array>
@@ -15,20 +15,11 @@
 
 namespace cgal_blend {
 
-/// A corner at which blends of several branches meet in the ball that rests there.
-struct Blend_corner {
-  static constexpr std::size_t no_branch = static_cast<std::size_t>(-1);
-
-  std::vector<std::pair<std::size_t, int>> branches;  ///< branch and its end, counterclockwise seen from outside
-  Corner_ball ball;                                   ///< per branch its foot on the faces right of it
-  std::vector<Vertex> contact;                        ///< of the feet
-  std::vector<Vertex> chain;  ///< where the first branch is a blend of an earlier pass: across that, from left to right
-};
-
 /// An open branch on its way to becoming a strip.
 struct Open_branch {
   std::unique_ptr<Base_surface> surface;  ///< of both sides, extended beyond the ends
   std::array<Branch_end, 2> ends;
+  bool between_balls = false;  ///< of one corner: it has no edges
   std::array<const Blend_corner*, 2> corner{};
   std::array<std::size_t, 2> place{};           ///< among the branches of the corner
   std::array<const Blend_corner*, 2> through{};  ///< corners to be finished in a later pass: the ball at rest is on the way
@@ -39,6 +30,7 @@ struct Open_branch {
 
 /// Rolls the ball along an open branch to its ends, and finds how they are finished.
 /// \param branch with its surface and the views of its ends
+/// \param curve of a branch between two balls of one corner: the segment between their centres
 struct Open_roll {
   Diagnosis diagnosis;
   std::vector<Ball_position> positions;

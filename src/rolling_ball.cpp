@@ -22,6 +22,7 @@ constexpr std::size_t fewest_positions = 6;
 constexpr std::size_t fewest_open_positions = 2;
 constexpr std::size_t most_loops = 64;
 constexpr double least_opening = 0.2;  // radii between contacts beyond a round
+constexpr double clear_of_ends = 0.3;  // facets, between balls at rest and others
 constexpr double round_bend = 0.5;     // curvature times radius: more belongs to a round
 
 /// Contacts must go forward with the centre, or the profiles of neighbours would cross.
@@ -301,6 +302,36 @@ Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Bl
     if (path.diagnosis.ok()) return path;
   }
   return roll(guess_from_wedges(solver, curve, spacing));
+}
+
+Ball_path roll_between(const Base_surface& surface, const std::array<Ball_position, 2>& ends, bool convex,
+                       const Radius_law& law, const Sampling& sampling) {
+  const Ball_solver solver({&surface, &surface}, law, convex);
+  const Vec way = ends[1].center - ends[0].center;
+  if (way.norm() < sampling.finest * solver.radius()) {
+    Ball_path path;
+    path.positions = {ends[0], ends[1]};
+    return path;
+  }
+  const auto steps = static_cast<std::size_t>(std::ceil(way.norm() / (sampling.coarsest * solver.radius())));
+  std::vector<Ball_guess> guesses;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(steps);
+    Ball_guess guess{ends[0].center + part * way, way.normalized(), {}, part};
+    for (const int side : {0, 1})
+      guess.foot[side] = surface.walk(ends[0].foot[side], part * (ends[1].contact[side] - ends[0].contact[side])).end;
+    guesses.push_back(guess);
+  }
+  Ball_path path = Roller(solver, sampling, false).roll(guesses, nullptr);
+  const double clear = clear_of_ends * sampling.finest * solver.radius();
+  const auto is_near_end = [&](const Ball_position& p) {
+    const double at = (p.center - ends[0].center).dot(way.normalized());
+    return at < clear || at > way.norm() - clear;
+  };
+  path.positions.erase(std::remove_if(path.positions.begin(), path.positions.end(), is_near_end), path.positions.end());
+  path.positions.insert(path.positions.begin(), ends[0]);
+  path.positions.push_back(ends[1]);
+  return path;
 }
 
 }  // namespace cgal_blend

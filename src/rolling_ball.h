@@ -68,6 +68,12 @@ enum class Curve_kind {
 Ball_path roll_ball(const std::array<const Base_surface*, 2>& surfaces, const Blend_curve& curve, Curve_kind kind,
                     const Radius_law& law, const Sampling& sampling);
 
+/// Rolls a ball of constant radius from one place to another, in contact with the two faces that it touches in both.
+/// Where these are less than a facet apart it has no position between them.
+/// \param ends with their feet
+Ball_path roll_between(const Base_surface& surface, const std::array<Ball_position, 2>& ends, bool convex,
+                       const Radius_law& law, const Sampling& sampling);
+
 }  // namespace cgal_blend
 
 #endif

@@ -304,10 +304,14 @@ std::optional<Surface_path> open_path(const Base_surface& surface, const std::ve
       return std::nullopt;
     }
   }
+  const auto is_shared = [&](const Vec& p) {
+    return (p - points.front().point).norm() < rules.shared_ends[0] ||
+           (p - points.back().point).norm() < rules.shared_ends[1];
+  };
   std::vector<std::size_t> owner(points.size());
   for (std::size_t i = 0; i < drafts.size(); ++i) {
     if (drafts[i].point_index != no_point) owner[drafts[i].point_index] = i;
-    if (i > 0 && i + 1 < drafts.size()) drafts[i] = builder.snapped(drafts[i]);
+    if (i > 0 && i + 1 < drafts.size() && !is_shared(drafts[i].point)) drafts[i] = builder.snapped(drafts[i]);
   }
   const Draft last = drafts.back();
   tidy(drafts, owner, rules.snap, false);

@@ -4,6 +4,7 @@
 
 #include "base_surface.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <unordered_set>
@@ -41,6 +42,8 @@ struct Path_rules {
   bool cross_creases = false;  ///< sharp edges are no barrier
   Vec ruling = Vec::Zero();  ///< sections are taken along it where that joins the points, instead of along the normals
   const std::unordered_set<Face>* within = nullptr;  ///< faces that the path stays in; null: all
+  std::array<double, 2> shared_ends{};  ///< so near to first and last point nothing is moved onto vertices: other paths
+                                        ///< come to that point too, and could be moved onto the same
 };
 
 /// Joins points to an open polyline. Its first and last points may be given as stations, on a vertex or an edge.
