@@ -91,9 +91,20 @@ Halfedge Base_surface::name_fan(const std::vector<Halfedge>& corners) const {
   return id;
 }
 
+/// Not of unit length, so that interpolation over the parts of a divided face gives what it gave over the whole.
+Vec Base_surface::normal_on_edge(const Edge_point& at, const std::vector<Halfedge>& corners) const {
+  const bool left = std::find(corners.begin(), corners.end(), at.into) != corners.end();
+  const Halfedge first = left ? mesh_.prev(at.first) : mesh_.opposite(at.first);
+  const Halfedge last = left ? at.last : mesh_.prev(mesh_.opposite(at.last));
+  return (1 - at.part) * corner_normal(first, 0) + at.part * corner_normal(last, 0);
+}
+
 Vec Base_surface::smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const {
   Vec sum = Vec::Zero();
   if (pass == 0) {
+    if (options_.edge_points)
+      if (const auto at = options_.edge_points->find(mesh_.target(id)); at != options_.edge_points->end())
+        return normal_on_edge(at->second, corners);
     const auto is_blend = [&](Halfedge g) { return blends_ && blends_->count(mesh_.face(g)) != 0; };
     const bool only_blends = std::all_of(corners.begin(), corners.end(), is_blend);
     // Weights by angle: a quadrilateral split along either diagonal gives the same normal.
@@ -265,7 +276,8 @@ void Base_surface::extend(const std::vector<Halfedge>& chain, const Vec& directi
     std::array<Vec, 2> far;
     for (const int end : {0, 1}) {
       const int k = end == 0 ? s : t;
-      const Vec tangent = direction - direction.dot(f.normal[k]) * f.normal[k];
+      const Vec normal = f.normal[k].stableNormalized();
+      const Vec tangent = direction - direction.dot(normal) * normal;
       far[end] = f.corner[k] + length * tangent.stableNormalized();
     }
     // The face lies left of its halfedge, so beyond it the corners run target, source, far source, far target.

@@ -127,7 +127,9 @@ class Engine {
          const Earlier_blends& earlier = {})
       : earlier_(earlier), creases_(earlier.creases.begin(), earlier.creases.end()),
         blend_faces_(earlier.faces.begin(), earlier.faces.end()), body_(body), options_(options),
-        levels_(thorough ? smoothings.size() : quick_levels) {}
+        levels_(thorough ? smoothings.size() : quick_levels) {
+    creases_.insert(body.creases.begin(), body.creases.end());
+  }
 
   Fillet_pass run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
     Stopwatch watch;
@@ -350,6 +352,7 @@ class Engine {
   [[nodiscard]] Base_surface::Options open_surface_options(std::size_t level) const {
     Base_surface::Options options;
     options.smooth_angle = std::min(options_.smooth_angle, open_angles[level]);
+    options.edge_points = &body_.edge_points;
     return options;
   }
 
@@ -401,7 +404,8 @@ class Engine {
   }
 
   [[nodiscard]] Base_surface::Options surface_options(const Smoothing& how, double radius) const {
-    return {std::max(options_.smooth_angle, how.smooth_angle), how.shortest_crease * radius, how.passes, false, false};
+    return {std::max(options_.smooth_angle, how.smooth_angle), how.shortest_crease * radius, how.passes, false, false,
+            &body_.edge_points};
   }
 
   /// What no open branch can be, wherever it ends.
@@ -489,7 +493,8 @@ class Engine {
       surface = std::make_unique<Base_surface>(
           *body_.base[operand],
           Base_surface::Options{std::max(options_.smooth_angle, how.smooth_angle),
-                                how.shortest_crease * job.report.radius, how.passes, body_.reversed[operand], round},
+                                how.shortest_crease * job.report.radius, how.passes, body_.reversed[operand], round,
+                                &body_.edge_points},
           body_.own_surface ? &creases_ : nullptr, body_.own_surface ? &blend_faces_ : nullptr);
     }
     return *surface;
@@ -549,6 +554,7 @@ class Engine {
     Open_branch& branch = job.open.emplace();
     branch.surface = std::make_unique<Base_surface>(*body_.mesh, open_surface_options(job.level), &creases_,
                                                     &blend_faces_);
+    job.report.flat_ends = 0;
     for (const int end : {0, 1}) {
       const Halfedge into = end == 1 ? job.halfedges.back() : body_.mesh->opposite(job.halfedges.front());
       const Vertex v = job.ends[end];
@@ -563,6 +569,7 @@ class Engine {
       if (!is_complete) {
         branch.through[end] = corner;
         branch.ends[end] = view_end(*branch.surface, into, end, job.curve.convex, radius);
+        job.report.flat_ends += branch.ends[end].kind == Branch_end::Kind::cap ? 1 : 0;
         continue;
       }
       Branch_end& e = branch.ends[end];

@@ -212,7 +212,8 @@ class Strip_ender {
       result_.end.last[k] = from_end(1);
       result_.end.hit[k] = row_point(k, from_end(0));
     }
-    for (const int side : {0, 1}) result_.end.rim[side] = station_at(surface_, positions_[from_end(0)].foot[side], snap_);
+    const double snap = end_.kind == Branch_end::Kind::cap ? snap_of_flat_end * snap_ : snap_;
+    for (const int side : {0, 1}) result_.end.rim[side] = station_at(surface_, positions_[from_end(0)].foot[side], snap);
     return true;
   }
 

@@ -15,6 +15,9 @@
 
 namespace cgal_blend {
 
+/// Flat ends are to be flat: rims and seams are moved onto edges and vertices there only from so much nearer than else.
+inline constexpr double snap_of_flat_end = 1.0 / 16;
+
 /// What a branch runs into at an end.
 struct Branch_end {
   enum class Kind {
