@@ -27,6 +27,9 @@ struct Cut {
   bool operator<(const Cut& other) const { return std::tie(at, part, end) < std::tie(other.at, other.part, other.end); }
 };
 
+/// The same for both halfedges of an edge. An `Edge` remembers the halfedge that it was made from.
+Halfedge first_of(const Blend_mesh& mesh, Halfedge h) { return std::min(h, mesh.opposite(h)); }
+
 class Mesh_divider {
  public:
   Mesh_divider(const Blend_mesh& mesh, const std::vector<Edge_blend>& blends, const std::vector<Blend_part>& parts,
@@ -52,7 +55,7 @@ class Mesh_divider {
         const Curve_station& s = parts_[i].ends[end];
         if (parts_[i].whole || parts_[i].left_sharp || s.part == 0) continue;
         const Halfedge h = parts_[i].curve[s.edge];
-        const double at = mesh_.halfedge(mesh_.edge(h)) == h ? s.part : 1 - s.part;
+        const double at = first_of(mesh_, h) == h ? s.part : 1 - s.part;
         const double snap = snap_of_station * radius_law_of(blends_[parts_[i].blend], options_).largest();
         cuts[mesh_.edge(h)].push_back({at, i, end, snap});
       }
@@ -62,7 +65,7 @@ class Mesh_divider {
 
   /// Cuts nearer to each other than both of them bear share one vertex.
   void divide(Edge e, const std::vector<Cut>& cuts) {
-    const Halfedge h = mesh_.halfedge(e);
+    const Halfedge h = first_of(mesh_, mesh_.halfedge(e));
     const Point_3 &a = mesh_.point(mesh_.source(h)), &b = mesh_.point(mesh_.target(h));
     const double length = std::sqrt(CGAL::squared_distance(a, b));
     std::vector<Vertex>& chain = chains_[e];
@@ -110,7 +113,7 @@ class Mesh_divider {
     const auto found = chains_.find(mesh_.edge(h));
     if (found == chains_.end()) return {mesh_.source(h), mesh_.target(h)};
     std::vector<Vertex> chain = found->second;
-    if (mesh_.halfedge(mesh_.edge(h)) != h) std::reverse(chain.begin(), chain.end());
+    if (first_of(mesh_, h) != h) std::reverse(chain.begin(), chain.end());
     return chain;
   }
 

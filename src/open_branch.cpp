@@ -255,12 +255,14 @@ class End_assembler {
     const int left = end_.left();
     std::array<std::vector<Vertex>, 2> leg;  // from the vertex outward, without the end of the rim
     for (const int side : {0, 1}) {
-      if (end_.inside[side]) {
+      const bool flat = end_.kind == Branch_end::Kind::cap;  // it may lie in the plane of faces beyond
+      if (flat || !end_.inside[side])
+        for (const Vertex v : border_to_rim(branch_.surface->mesh(), end_, side, strip_.rim[side]))
+          leg[side].push_back(cells_.vertex(0, v));
+      if (end_.inside[side] && leg[side].empty()) {
         if (Diagnosis diagnosis = cut_seam(side, leg[side]); !diagnosis.ok()) return diagnosis;
         continue;
       }
-      for (const Vertex v : border_to_rim(branch_.surface->mesh(), end_, side, strip_.rim[side]))
-        leg[side].push_back(cells_.vertex(0, v));
       if (leg[side].empty()) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
       std::vector<Vertex> steps = leg[side];
       steps.push_back(rim_end(side));

@@ -213,7 +213,12 @@ class Strip_ender {
       result_.end.hit[k] = row_point(k, from_end(0));
     }
     const double snap = end_.kind == Branch_end::Kind::cap ? snap_of_flat_end * snap_ : snap_;
-    for (const int side : {0, 1}) result_.end.rim[side] = station_at(surface_, positions_[from_end(0)].foot[side], snap);
+    for (const int side : {0, 1}) {
+      const Surface_point& foot = positions_[from_end(0)].foot[side];
+      std::optional<Station> border;  // a flat end may lie in the plane of a face beyond
+      if (!end_.border[side].empty()) border = border_station_at(surface_, foot, snap);
+      result_.end.rim[side] = border ? *border : station_at(surface_, foot, snap);
+    }
     return true;
   }
 
@@ -379,7 +384,6 @@ Branch_end view_end(const Base_surface& surface, Halfedge into, int end, bool co
     e.kind = Branch_end::Kind::cap;
     e.fill = false;
     e.inside = {true, true};
-    e.border = {};
   }
   return e;
 }

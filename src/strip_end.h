@@ -32,7 +32,8 @@ struct Branch_end {
   Vec direction;   ///< of the branch, outward
   bool fill = false;                         ///< faces: their extension cuts, and they grow
   std::array<bool, 2> inside{};              ///< per side: the rim goes on inside the base face beyond the vertex
-  std::array<std::vector<Halfedge>, 2> border{};  ///< per side: border of its base face from the vertex on, outward
+  std::array<std::vector<Halfedge>, 2> border{};  ///< per side: border of its base face from the vertex on, outward;
+                                                  ///< none where its own crease goes on
   double reach = 0;                          ///< length to look at around the vertex
 
   [[nodiscard]] Vertex vertex(const Blend_mesh& mesh) const { return mesh.target(into); }

@@ -75,7 +75,8 @@ void print_summary(const Fillet_outcome& outcome, const Blend_mesh& mesh, const 
               << " edges, ";
     if (blend.diagnosis.ok())
       std::cout << "radius " << blend.radius << " within " << 100 * blend.radius_error << " %, tangent within "
-                << blend.tangency_deg << " degrees\n";
+                << blend.tangency_deg << " degrees"
+                << (blend.flat_ends == 0 ? "" : blend.flat_ends == 1 ? ", 1 flat end" : ", 2 flat ends") << "\n";
     else
       std::cout << "left sharp: " << message(blend.diagnosis) << "\n";
   }
