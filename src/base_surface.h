@@ -49,7 +49,7 @@ class Base_surface {
     int smoothing_passes = 0;    ///< Laplacian passes over the corner normals, for surfaces rough at the ball's scale
     bool reversed = false;       ///< true: the solid lies on the side the faces point to
     bool area_weights = false;   ///< average normals by squared area: large faces are the surface, small ones a round
-    const Edge_points* edge_points = nullptr;  ///< vertices that change nothing: normals there are interpolated; may be null
+    const Edge_points* edge_points = nullptr;  ///< where normals are interpolated, as if there were no vertex
   };
 
   /// \param creases edges across which the surface is not smooth, whatever their angle; may be null

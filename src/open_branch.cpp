@@ -50,7 +50,8 @@ Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& co
 
 /// The ball in the plane through the vertex of a flat end that both normals there span: contacts, centre and vertex then
 /// lie in it, as far as the surfaces go on straight from the edge to the contacts.
-std::optional<Ball_position> ball_at_flat_end(const Ball_solver& solver, const Branch_end& end, const Ball_position& near) {
+std::optional<Ball_position> ball_at_flat_end(const Ball_solver& solver, const Branch_end& end,
+                                              const Ball_position& near) {
   const Base_surface& surface = solver.surface(0);
   const Blend_mesh& mesh = surface.mesh();
   const auto normal = [&](Halfedge into_vertex) {

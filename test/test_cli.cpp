@@ -239,11 +239,14 @@ TEST_F(Cli, PartsOfCurves) {
   EXPECT_TRUE(is_there({0.5, 0, 0}) && is_there({1.5, 0, 0}) && is_there({1, 2, 2}));
 
   // Both options hold for every curve; the file has the last word.
-  ASSERT_EQ(run("fillet a.off --sharp-angle 40 --from 0.25 --to 0.75 --radius 0.2 --chord-tolerance 4e-4 -o out.off").exit, 0);
+  ASSERT_EQ(
+      run("fillet a.off --sharp-angle 40 --from 0.25 --to 0.75 --radius 0.2 --chord-tolerance 4e-4 -o out.off").exit,
+      0);
   expect_valid("out.off");
   EXPECT_NEAR(8 - volume("out.off"), 12 * section, 0.005 * 12 * section);
   write("own.json", R"({"blends": [{"polyline": [0, 1], "to": 0.5}, {"polyline": [4, 5]}]})");
-  ASSERT_EQ(run("fillet a.off --blends own.json --from 0.25 --to 1 --radius 0.2 --chord-tolerance 4e-4 -o out.off").exit, 0);
+  ASSERT_EQ(
+      run("fillet a.off --blends own.json --from 0.25 --to 1 --radius 0.2 --chord-tolerance 4e-4 -o out.off").exit, 0);
   EXPECT_NEAR(8 - volume("out.off"), section * (0.5 + 1.5), 0.005 * section * 2);
 }
 
