@@ -66,17 +66,18 @@ std::vector<std::uint32_t> origins(const Fillet_body& body, const std::vector<Fa
   return result;
 }
 
-/// Rids the result of a boolean of its edges of almost no length where blending left its faces alone. New faces stay:
-/// their maker counts them.
+/// Rids the result of its edges of almost no length, but for those of the input itself: its flaws are told, or accepted.
 Blend_mesh without_short_edges(const Fillet_body& body, const Blend_mesh& mesh) {
   Blend_mesh result = mesh;
   const std::size_t old_faces = body.mesh->number_of_faces();
-  collapse_short_edges(
-      result, [&](Vertex v) { return body.cells.is_original(v); },
-      [&](Edge e) {
-        const Halfedge h = result.halfedge(e);
-        return result.face(h).idx() < old_faces && result.face(result.opposite(h)).idx() < old_faces;
-      });
+  const auto is_old = [&](Halfedge h) { return result.face(h).idx() < old_faces; };
+  const std::size_t old_vertices = body.mesh->number_of_vertices();
+  const auto is_original = [&](Vertex v) { return v.idx() < old_vertices && body.cells.is_original(v); };
+  collapse_short_edges(result, is_original, [&](Edge e) {
+    const Halfedge h = result.halfedge(e);
+    if (!body.own_surface && is_old(h) && is_old(result.opposite(h))) return true;  // the boolean has made it
+    return !is_original(result.source(h)) || !is_original(result.target(h));
+  });
   return result;
 }
 
@@ -87,7 +88,7 @@ Fillet_outcome finish_body(const Fillet_body& body, const Blend_mesh& blended, c
   Fillet_outcome outcome;
   Stopwatch copying;
   std::optional<Blend_mesh> mended;
-  if (!body.own_surface && changes.moved.empty() && has_short_edges(blended))
+  if (changes.moved.empty() && has_short_edges(blended))
     mended = without_short_edges(body, blended);
   const Blend_mesh& mesh = mended ? *mended : blended;
   const Order order = output_order(body, mesh);

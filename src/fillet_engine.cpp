@@ -1005,10 +1005,9 @@ class Engine {
     }
     finish(work, {trimming.remnant_cells, {}}, result);
     if (!result.diagnosis.ok()) return;
-    // New faces come last, in the order in which they were added.
-    const std::size_t first = result.mesh.number_of_faces() - replacement.faces.size();
-    for (std::size_t k = trimming.remnant_cells.size(); k < replacement.faces.size(); ++k)
-      result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(first + k)));
+    const std::vector<std::uint32_t>& origins = result.outcome.origins;
+    for (std::size_t f = 0; f < origins.size(); ++f)
+      if (origins[f] == no_origin) result.outcome.blend_faces.push_back(Face(static_cast<std::uint32_t>(f)));
   }
 
   /// The part of the ball at rest that is left between the strips.

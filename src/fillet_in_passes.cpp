@@ -23,7 +23,7 @@ constexpr std::array<double, 9> first_shares{0.98, 0.9, 0.75, 0.5, 0.25, 0.125, 
 constexpr double near_radii = 1.012;
 
 // What the search may cost, over all curves: faces of the meshes that it goes through, and of the blends.
-constexpr double most_faces = 600000;
+constexpr double most_faces = 400000;
 
 struct Passes {
   Fillet_outcome outcome;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -89,13 +90,14 @@ struct Recorder : PMP::Corefinement::Default_visitor<Blend_mesh> {
   void intersection_point_detected(std::size_t id, int dimension, Halfedge edge, Halfedge simplex,
                                    const Blend_mesh& mesh, const Blend_mesh& other, bool target_on, bool source_on) {
     Node node;
-    const int side = &mesh == first ? 0 : 1;
+    const int side = &mesh == first ? 0 : 1;  // the same values whichever halfedge CGAL comes by
     node.faces[side] = target_on   ? around(edge, mesh)
                        : source_on ? around(mesh.opposite(edge), mesh)
                                    : beside(edge, mesh);
     node.faces[1 - side] = dimension == 0   ? around(simplex, other)
                            : dimension == 1 ? beside(simplex, other)
                                             : std::vector<Face>{other.face(simplex)};
+    for (std::vector<Face>& faces : node.faces) std::sort(faces.begin(), faces.end());
     if (target_on)
       node.point = to_vec(mesh.point(mesh.target(edge)));
     else if (source_on)
@@ -103,7 +105,7 @@ struct Recorder : PMP::Corefinement::Default_visitor<Blend_mesh> {
     else if (dimension == 0)
       node.point = to_vec(other.point(other.target(simplex)));
     else
-      node.point = cross_face(edge, mesh, node.faces[1 - side].front(), other);
+      node.point = cross_face(std::min(edge, mesh.opposite(edge)), mesh, node.faces[1 - side].front(), other);
     if (nodes->size() <= id) nodes->resize(id + 1);
     (*nodes)[id] = std::move(node);
   }
@@ -124,6 +126,9 @@ std::vector<Node> intersection_nodes(Offset_mesh& first, Offset_mesh& second) {
     PMP::corefine(first.mesh, second.mesh, CGAL::parameters::visitor(recorder));
   } catch (const std::exception&) {  // `Enough`, or degenerate offsets: the points found so far are a guess still
   }
+  // CGAL numbers them as boxes lie in memory; where chains start must not depend on that.
+  const auto key = [](const Node& n) { return std::tie(n.faces[0], n.faces[1], n.point[0], n.point[1], n.point[2]); };
+  std::sort(nodes.begin(), nodes.end(), [&](const Node& a, const Node& b) { return key(a) < key(b); });
   return nodes;
 }
 
@@ -156,8 +161,7 @@ std::vector<std::size_t> chain_from(std::size_t start, const Links& links, std::
       if (!used[n] && links[n].size() <= 2) next = n;
     if (next == links.size()) {
       const auto& last = links[at];
-      closed = chain.size() > 2 && links[start].size() == 2 &&
-               std::find(last.begin(), last.end(), start) != last.end();
+      closed = chain.size() > 2 && links[start].size() == 2 && std::find(last.begin(), last.end(), start) != last.end();
       return chain;
     }
     used[next] = true;

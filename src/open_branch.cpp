@@ -105,10 +105,13 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
   rim.first = ends[0].last[row];
   rim.last = ends[1].last[row];
   std::vector<Station> points{ends[0].rim[side]};
-  for (std::size_t i = rim.first; i <= rim.last && i < positions.size(); ++i)
+  for (std::size_t i = rim.first; i <= rim.last && i < positions.size(); ++i) {
+    stuck = i;
+    if (surface.is_extension(positions[i].foot[side].face)) return std::nullopt;
     points.push_back(station_at(surface, positions[i].foot[side], 0));
+  }
   points.push_back(ends[1].rim[side]);
-  auto path = open_path(surface, points, {snap, false}, stuck);
+  auto path = open_path(surface, points, {snap}, stuck);
   if (!path) {
     stuck = std::min(rim.first + std::max<std::size_t>(stuck, 1) - 1, positions.size() - 1);
     return std::nullopt;
@@ -116,9 +119,9 @@ std::optional<Rim> lay_open_rim(const Base_surface& surface, const std::vector<B
   rim.path = std::move(*path);
   std::vector<std::size_t> station_of(positions.size(), 0);
   for (std::size_t i = 0; i < positions.size(); ++i)
-    station_of[i] = i < rim.first              ? 0
-                    : i > rim.last             ? rim.path.stations.size() - 1
-                                               : rim.path.station_of[i - rim.first + 1];
+    station_of[i] = i < rim.first  ? 0
+                    : i > rim.last ? rim.path.stations.size() - 1
+                                   : rim.path.station_of[i - rim.first + 1];
   rim.path.station_of = std::move(station_of);
   return rim;
 }
@@ -158,9 +161,8 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
     if (!branch.through[end.end]) continue;
     const Vec ahead = end.end == 1 ? end.direction : Vec(-end.direction);
     branch.passed[end.end] = insert_ball(
-        path.positions,
-        ball_in_corner(surface, *branch.through[end.end], branch.place[end.end], end.left(), end.end), ahead,
-        clear_of_facet * facet);
+        path.positions, ball_in_corner(surface, *branch.through[end.end], branch.place[end.end], end.left(), end.end),
+        ahead, clear_of_facet * facet);
     if (end.end == 1 && branch.through[0]) branch.passed[0] = std::min(branch.passed[0], branch.passed[1]);
   }
   const Vec middle = (curve.points[(curve.points.size() - 1) / 2] + curve.points[curve.points.size() / 2]) / 2;
@@ -206,8 +208,15 @@ class End_assembler {
  public:
   End_assembler(Blend_mesh& mesh, const Cell_map& cells, const Open_branch& branch, int end, bool convex,
                 const std::array<const Rim*, 2>& rims, double snap, End_assembly& out)
-      : mesh_(mesh), cells_(cells), branch_(branch), end_(branch.ends[end]), strip_(branch.strip_ends[end]),
-        convex_(convex), rims_(rims), snap_(snap), out_(out) {}
+      : mesh_(mesh),
+        cells_(cells),
+        branch_(branch),
+        end_(branch.ends[end]),
+        strip_(branch.strip_ends[end]),
+        convex_(convex),
+        rims_(rims),
+        snap_(snap),
+        out_(out) {}
 
   Diagnosis run() {
     out_.border.last = strip_.last;
@@ -290,7 +299,7 @@ class End_assembler {
     const Face beside = base.face(side == end_.left() ? end_.into : base.opposite(end_.into));
     const Station vertex = station_at(*branch_.surface, beside, end_.vertex(base));
     std::size_t stuck = 0;
-    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {snap_of_flat_end * snap_, false}, stuck);
+    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {snap_of_flat_end * snap_}, stuck);
     if (!path) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
     Rim seam;
     seam.surface = branch_.surface.get();

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double widest_gap = 3;  // of the coarsest step: farther apart, positions are not joined
 constexpr int deepest_split = 12;
-constexpr double most_guesses = 1000;  // along a curve: with smaller balls, only where it bends are they closer
+constexpr double most_guesses = 100;  // along a curve: with smaller balls, only where it bends are they closer
 constexpr std::size_t fewest_positions = 6;
 constexpr std::size_t fewest_open_positions = 2;
 constexpr std::size_t most_loops = 64;

@@ -18,8 +18,8 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double reach_in_radii = 4;     // around an end, besides what the wedge's contacts take
-constexpr double widest_wedge = 10;      // contacts farther from the edge, in radii, are not looked for
+constexpr double reach_in_radii = 4;       // around an end, besides what the wedge's contacts take
+constexpr double widest_wedge = 10;        // contacts farther from the edge, in radii, are not looked for
 constexpr double straight_on = pi - 1e-6;  // face angles at a vertex above it: the rim does not leave the face
 
 /// The sharp edges around the vertex that a halfedge points to, from its left side round to its right one, as halfedges
@@ -179,13 +179,19 @@ class Strip_ender {
   Strip_ender(const Base_surface& surface, const Branch_end& end, const std::vector<Ball_position>& positions,
               const Virtual_surface& blend, const std::vector<double>& rows, std::size_t middle, double clear,
               double snap)
-      : surface_(surface), end_(end), positions_(positions), blend_(blend), rows_(rows), middle_(middle), clear_(clear),
+      : surface_(surface),
+        end_(end),
+        positions_(positions),
+        blend_(blend),
+        rows_(rows),
+        middle_(middle),
+        clear_(clear),
         snap_(snap) {}
 
   Strip_end_result run() {
     result_.end.hit.resize(rows_.size());
     result_.end.last.resize(rows_.size());
-    const bool found = end_.kind == Branch_end::Kind::faces ? (end_.fill ? find_in_extension() : find_on_faces())
+    const bool found = end_.kind == Branch_end::Kind::faces  ? (end_.fill ? find_in_extension() : find_on_faces())
                        : end_.kind == Branch_end::Kind::fade ? close_at_vertex()
                                                              : end_at_last();
     if (found) {
@@ -214,10 +220,11 @@ class Strip_ender {
     }
     const double snap = end_.kind == Branch_end::Kind::cap ? snap_of_flat_end * snap_ : snap_;
     for (const int side : {0, 1}) {
-      const Surface_point& foot = positions_[from_end(0)].foot[side];
+      const Ball_position& last = positions_[from_end(0)];
+      if (surface_.is_extension(last.foot[side].face)) return refuse(Status::radius_exceeds_face, last.contact[side]);
       std::optional<Station> border;  // a flat end may lie in the plane of a face beyond
-      if (!end_.border[side].empty()) border = border_station_at(surface_, foot, snap);
-      result_.end.rim[side] = border ? *border : station_at(surface_, foot, snap);
+      if (!end_.border[side].empty()) border = border_station_at(surface_, last.foot[side], snap);
+      result_.end.rim[side] = border ? *border : station_at(surface_, last.foot[side], snap);
     }
     return true;
   }
@@ -277,7 +284,11 @@ class Strip_ender {
     }
     stations.push_back(beyond(1));
     std::size_t stuck = 0;
-    result_.end.path = open_path(surface_, stations, {snap_ / 16, true}, stuck);
+    const std::vector<Face> reached = faces_beyond(surface_, end_);
+    const std::unordered_set<Face> beyond_faces(reached.begin(), reached.end());
+    const std::size_t last = result_.end.last[rows_.size() / 2];
+    const Vec ruling = positions_[end_.end == 1 ? last + 1 : last - 1].center - positions_[last].center;
+    result_.end.path = open_path(surface_, stations, {snap_ / 16, true, ruling, &beyond_faces}, stuck);
     if (!result_.end.path) return refuse(Status::no_rolling_ball, stations[stuck].point);
     for (std::size_t k = 0; k < rows_.size(); ++k)
       result_.end.hit[k] = result_.end.path->stations[result_.end.path->station_of[k]].point;
@@ -376,8 +387,7 @@ Branch_end view_end(const Base_surface& surface, Halfedge into, int end, bool co
   e.inside[left] = fan.angle[0] > straight_on;
   e.inside[1 - left] = fan.angle[1] > straight_on;
   bool all_same = true;
-  for (const Halfedge h : fan.creases)
-    all_same = all_same && is_convex_edge(mesh.edge(h), mesh) == convex;
+  for (const Halfedge h : fan.creases) all_same = all_same && is_convex_edge(mesh.edge(h), mesh) == convex;
   e.fill = !all_same;
   // Where it is not known how the faces beyond would go on, they stay as they are.
   if (e.fill ? fan.creases.size() > 2 : e.inside[0] || e.inside[1]) {

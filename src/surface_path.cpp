@@ -11,6 +11,8 @@ namespace cgal_blend {
 namespace {
 
 constexpr int longest_section = 100000;  // faces
+constexpr double widest_detour = 0.5;    // of a section, over the distance of its ends
+constexpr double detour_of_corner = 3;   // the same where it may cross sharp edges
 constexpr double flat_of_snap = 1e-6;    // vertices nearer to a section lie in it
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
@@ -38,10 +40,21 @@ bool same_place(const Draft& a, const Draft& b, double snap) {
   return a.face == b.face && (a.point - b.point).norm() < snap;
 }
 
+/// How a section is followed from one point to the next.
+struct Way {
+  bool leaves_edge = false;  ///< not by the edge that it starts on
+  double ahead = 1;          ///< 1 or -1: sets out towards the next point, or away from it
+  double detour = widest_detour;
+};
+
 class Path_builder {
  public:
-  Path_builder(const Base_surface& surface, double snap, bool cross_creases = false)
-      : surface_(surface), mesh_(surface.mesh()), snap_(snap), cross_creases_(cross_creases) {}
+  Path_builder(const Base_surface& surface, const Path_rules& rules)
+      : surface_(surface),
+        mesh_(surface.mesh()),
+        snap_(rules.snap),
+        cross_creases_(rules.cross_creases),
+        within_(rules.within) {}
 
   /// Appends the edges crossed between two stations; false if the section misses the second. A station on an edge or a
   /// vertex is in all faces there: where the path runs along edges, rounding decides on which side of them.
@@ -49,10 +62,17 @@ class Path_builder {
     const std::vector<Face> starts = faces_at(from), ends = faces_at(to);
     if (std::find_first_of(starts.begin(), starts.end(), ends.begin(), ends.end()) != starts.end()) return true;
     const std::size_t size = out.size();
-    for (const Face start : starts) {
-      if (trace_from(start, ends, from.point, to.point, normal, out)) return true;
-      out.resize(size);
-    }
+    // Round an acute corner the way on may be farther back than the place that it starts from.
+    constexpr std::array<Way, 3> ways{{{}, {true, 1, detour_of_corner}, {true, -1, detour_of_corner}}};
+    for (const Way& way : ways)
+      if (&way == &ways.front() || cross_creases_)
+        for (const Face start : starts) {
+          Halfedge entered;
+          if (way.leaves_edge && from.kind == Station::Kind::edge)
+            entered = mesh_.face(from.edge) == start ? from.edge : mesh_.opposite(from.edge);
+          if (trace_from(start, entered, ends, from.point, to.point, normal, way, out)) return true;
+          out.resize(size);
+        }
     return false;
   }
 
@@ -90,8 +110,7 @@ class Path_builder {
     for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(face))) {
       const Vec s = to_vec(mesh_.point(mesh_.source(h))), e = to_vec(mesh_.point(mesh_.target(h))) - s;
       const Vec foot = s + std::clamp((p - s).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
-      const bool border = !may_cross(h) || !may_cross(mesh_.next(h));
-      if (border && (p - to_vec(mesh_.point(mesh_.target(h)))).norm() < snap_)
+      if ((p - to_vec(mesh_.point(mesh_.target(h)))).norm() < snap_ && at_sharp_edge(mesh_.target(h)))
         return on_vertex(mesh_, {{Station::Kind::face, face, Halfedge(), Vertex(), p}, no_point}, mesh_.target(h));
       if (!may_cross(h) && (p - foot).norm() < snap_) return snapped(on_edge(mesh_, h, foot));
     }
@@ -101,31 +120,41 @@ class Path_builder {
   /// The first sharp edge on the way from a point inside towards another.
   [[nodiscard]] std::optional<Draft> leave(Face face, const Vec& a, const Vec& b, const Vec& normal) const {
     std::vector<Draft> crossed;
-    if (!trace_from(face, {}, a, b, normal, crossed)) return std::nullopt;
+    if (!trace_from(face, Halfedge(), {}, a, b, normal, {}, crossed)) return std::nullopt;
     return crossed.back();
   }
 
  private:
   [[nodiscard]] bool may_cross(Halfedge h) const { return cross_creases_ || surface_.crossable(h); }
 
+  [[nodiscard]] bool at_sharp_edge(Vertex v) const {
+    const auto around = mesh_.halfedges_around_target(mesh_.halfedge(v));
+    return std::any_of(around.begin(), around.end(), [&](Halfedge h) { return !may_cross(h); });
+  }
+
   /// The smooth faces that a station belongs to, first the one that it was found in.
   [[nodiscard]] std::vector<Face> faces_at(const Draft& draft) const {
-    std::vector<Face> faces{draft.face};
+    std::vector<Face> faces;
+    const auto add = [&](Face f) {
+      if (!within_ || within_->count(f)) faces.push_back(f);
+    };
+    add(draft.face);
     if (draft.kind == Station::Kind::edge)
       for (const Halfedge h : {draft.edge, mesh_.opposite(draft.edge)})
-        if (mesh_.face(h) != draft.face) faces.push_back(mesh_.face(h));
+        if (mesh_.face(h) != draft.face) add(mesh_.face(h));
     if (draft.kind == Station::Kind::vertex) {
       Halfedge corner = mesh_.halfedge(draft.face);
       while (mesh_.target(corner) != draft.vertex) corner = mesh_.next(corner);
       const Halfedge fan = surface_.fan(corner);
       for (const Halfedge h : mesh_.halfedges_around_target(corner))
-        if (h != corner && (cross_creases_ || surface_.fan(h) == fan)) faces.push_back(mesh_.face(h));
+        if (h != corner && (cross_creases_ || surface_.fan(h) == fan)) add(mesh_.face(h));
     }
     return faces;
   }
 
-  bool trace_from(Face face, const std::vector<Face>& ends, const Vec& a, const Vec& b, const Vec& normal,
-                  std::vector<Draft>& out) const {
+  /// \param entered an edge that the section does not leave the first face by; may be null
+  bool trace_from(Face face, Halfedge entered, const std::vector<Face>& ends, const Vec& a, const Vec& b,
+                  const Vec& normal, const Way& way, std::vector<Draft>& out) const {
     const Vec plane = (b - a).cross(normal).stableNormalized();
     const auto height = [&](Vertex v) {  // zero counts as above: consistent at each vertex
       const double h = (to_vec(mesh_.point(v)) - a).dot(plane);
@@ -135,7 +164,6 @@ class Path_builder {
       const double t = hs / (hs - ht);
       return (1 - t) * to_vec(mesh_.point(mesh_.source(h))) + t * to_vec(mesh_.point(mesh_.target(h)));
     };
-    Halfedge entered;
     const double distance = (b - a).squaredNorm();
     for (int step = 0; step < longest_section; ++step) {
       Halfedge exit;
@@ -147,7 +175,8 @@ class Path_builder {
         if ((hs >= 0) == (ht >= 0)) continue;
         const Vec x = crossing(h, hs, ht);
         const double ahead = (x - a).dot(b - a);
-        if (exit != Blend_mesh::null_halfedge() && ahead <= progress) continue;
+        const double sign = step == 0 ? way.ahead : 1;
+        if (exit != Blend_mesh::null_halfedge() && sign * ahead <= sign * progress) continue;
         exit = h;
         at = x;
         progress = ahead;
@@ -157,7 +186,8 @@ class Path_builder {
         if (ends.empty()) out.push_back(on_edge(mesh_, exit, at));
         return ends.empty();
       }
-      if (progress > 1.5 * distance || progress < -0.5 * distance) return false;
+      if (within_ && !within_->count(mesh_.face(mesh_.opposite(exit)))) return false;
+      if (progress > (1 + way.detour) * distance || progress < -way.detour * distance) return false;
       out.push_back(on_edge(mesh_, exit, at));
       entered = mesh_.opposite(exit);
       face = mesh_.face(entered);
@@ -174,6 +204,7 @@ class Path_builder {
   const Blend_mesh& mesh_;
   double snap_;
   bool cross_creases_;
+  const std::unordered_set<Face>* within_;
 };
 
 /// Merges neighbours that fell together and takes out spikes a-b-a; the given points move along.
@@ -189,8 +220,8 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
       const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
       if (gone[i] || gone[before] || (!closed && i == 0)) continue;
       const bool repeated = same_place(path[before], path[i], snap);
-      const bool spike = (closed || i + 1 < n) && !gone[after] && after != before && path[before].kind != Station::Kind::face &&
-                         same_place(path[before], path[after], snap);
+      const bool spike = (closed || i + 1 < n) && !gone[after] && after != before &&
+                         path[before].kind != Station::Kind::face && same_place(path[before], path[after], snap);
       if (!repeated && !spike) continue;
       if (repeated && path[i].point_index != no_point && path[before].point_index == no_point &&
           path[i].kind != Station::Kind::vertex)
@@ -216,7 +247,7 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
 
 std::optional<Surface_path> closed_path(const Base_surface& surface, const std::vector<Surface_point>& points,
                                         double snap, std::size_t& stuck) {
-  const Path_builder builder(surface, snap);
+  const Path_builder builder(surface, {snap});
   std::vector<Draft> given, drafts;
   for (std::size_t i = 0; i < points.size(); ++i)
     given.push_back(
@@ -243,7 +274,7 @@ std::optional<Surface_path> closed_path(const Base_surface& surface, const std::
 
 std::optional<Surface_path> open_path(const Base_surface& surface, const std::vector<Station>& points,
                                       const Path_rules& rules, std::size_t& stuck) {
-  const Path_builder builder(surface, rules.snap, rules.cross_creases);
+  const Path_builder builder(surface, rules);
   std::vector<Draft> given, drafts;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Draft draft{points[i], i};
@@ -254,7 +285,8 @@ std::optional<Surface_path> open_path(const Base_surface& surface, const std::ve
     drafts.push_back(given[i]);
     if (i + 1 == points.size()) break;
     const Vec normal = surface.frame(given[i].face).face_normal + surface.frame(given[i + 1].face).face_normal;
-    if (!builder.trace(given[i], given[i + 1], normal, drafts)) {
+    const bool ruled = !rules.ruling.isZero() && builder.trace(given[i], given[i + 1], rules.ruling, drafts);
+    if (!ruled && !builder.trace(given[i], given[i + 1], normal, drafts)) {
       stuck = i + 1;
       return std::nullopt;
     }
@@ -276,7 +308,7 @@ std::optional<Surface_path> open_path(const Base_surface& surface, const std::ve
 
 std::optional<Station> leaving_station(const Base_surface& surface, const Surface_point& inside, const Vec& outside,
                                        double snap) {
-  const Path_builder builder(surface, snap);
+  const Path_builder builder(surface, {snap});
   if (const auto there = builder.on_border(inside.face, surface.position(inside))) return *there;
   const auto draft = builder.leave(inside.face, surface.position(inside), outside, surface.normal(inside));
   if (!draft) return std::nullopt;
@@ -289,7 +321,7 @@ std::optional<Station> border_station_at(const Base_surface& surface, const Surf
 }
 
 Station station_at(const Base_surface& surface, const Surface_point& at, double snap) {
-  return Path_builder(surface, snap)
+  return Path_builder(surface, {snap})
       .snapped({{Station::Kind::face, at.face, Halfedge(), Vertex(), surface.position(at)}, no_point});
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 namespace cgal_blend {
@@ -14,9 +15,9 @@ namespace cgal_blend {
 struct Station {
   enum class Kind { vertex, edge, face };
   Kind kind;
-  Face face;        ///< kind face: the face; else one of those it lies on
-  Halfedge edge;    ///< kind edge: the smaller halfedge of the edge
-  Vertex vertex;    ///< kind vertex
+  Face face;      ///< kind face: the face; else one of those it lies on
+  Halfedge edge;  ///< kind edge: the smaller halfedge of the edge
+  Vertex vertex;  ///< kind vertex
   Vec point;
 };
 
@@ -36,8 +37,10 @@ struct Surface_path {
 
 /// What an open path may do.
 struct Path_rules {
-  double snap = 0;            ///< as for closed paths
+  double snap = 0;             ///< as for closed paths
   bool cross_creases = false;  ///< sharp edges are no barrier
+  Vec ruling = Vec::Zero();  ///< sections are taken along it where that joins the points, instead of along the normals
+  const std::unordered_set<Face>* within = nullptr;  ///< faces that the path stays in; null: all
 };
 
 /// Joins points to an open polyline. Its first and last points may be given as stations, on a vertex or an edge.

