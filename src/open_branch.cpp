@@ -299,7 +299,7 @@ class End_assembler {
     const Face beside = base.face(side == end_.left() ? end_.into : base.opposite(end_.into));
     const Station vertex = station_at(*branch_.surface, beside, end_.vertex(base));
     std::size_t stuck = 0;
-    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {snap_of_flat_end * snap_}, stuck);
+    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {end_.snap(snap_)}, stuck);
     if (!path) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
     Rim seam;
     seam.surface = branch_.surface.get();

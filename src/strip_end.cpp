@@ -218,7 +218,7 @@ class Strip_ender {
       result_.end.last[k] = from_end(1);
       result_.end.hit[k] = row_point(k, from_end(0));
     }
-    const double snap = end_.kind == Branch_end::Kind::cap ? snap_of_flat_end * snap_ : snap_;
+    const double snap = end_.snap(snap_);
     for (const int side : {0, 1}) {
       const Ball_position& last = positions_[from_end(0)];
       if (surface_.is_extension(last.foot[side].face)) return refuse(Status::radius_exceeds_face, last.contact[side]);

@@ -15,9 +15,6 @@
 
 namespace cgal_blend {
 
-/// Flat ends are to be flat: rims and seams are moved onto edges and vertices there only from so much nearer than else.
-inline constexpr double snap_of_flat_end = 1.0 / 16;
-
 /// What a branch runs into at an end.
 struct Branch_end {
   enum class Kind {
@@ -39,6 +36,8 @@ struct Branch_end {
   [[nodiscard]] Vertex vertex(const Blend_mesh& mesh) const { return mesh.target(into); }
   /// Side of the branch left of `into`.
   [[nodiscard]] int left() const { return end == 1 ? 0 : 1; }
+  /// Flat ends are to be flat: rims and seams are moved onto edges and vertices only from much nearer than elsewhere.
+  [[nodiscard]] double snap(double elsewhere) const { return kind == Kind::cap ? elsewhere / 16 : elsewhere; }
 };
 
 /// Tells how a branch ends by the sharp edges around its end, none of which is to be blended.
