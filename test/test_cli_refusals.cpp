@@ -196,9 +196,9 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"BlendsWithoutRadius", "fillet box.off -o OUT --blends no_radius.json", 2, "--radius", "invalid_parameter"}}), name_of);
 
 INSTANTIATE_TEST_SUITE_P(Output, Cli_refusals, testing::ValuesIn(std::vector<Refusal>{
-  {"FromNan", box_fillet + "--radius 0.1 --from nan", 2, "--from", "*"},
-  {"FromText", box_fillet + "--radius 0.1 --from half", 2, "--from", "*"},
-  {"ToTooFar", box_fillet + "--radius 0.1 --to 1.01", 2, "--to", "*"},
+  {"FromNan", box_fillet + "--radius 0.1 --from nan", 2, "--from", ""},
+  {"FromText", box_fillet + "--radius 0.1 --from half", 2, "--from", ""},
+  {"ToTooFar", box_fillet + "--radius 0.1 --to 1.01", 2, "--to", ""},
   {"FromIsTo", box_fillet + "--radius 0.1 --from 0.5 --to 0.5", 2, "between 0 and 1", "invalid_parameter"},
   {"FromBehindTo", box_fillet + "--radius 0.1 --from 0.6 --to 0.5", 2, "begin before it ends", "invalid_parameter"},
   {"FromTextInFile", "fillet box.off -o OUT --blends from_text.json", 2, "'from'", "invalid_parameter"},

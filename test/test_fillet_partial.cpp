@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -238,6 +239,55 @@ TEST(Fillet_partial, ShallowCrease) {
   const double section = (std::tan(bend / 2) - bend / 2) * r * r;
   expect_change(b, -section * 10, 2e-4 + 2.0 / 3 * fine * bend * r * r / section);
   EXPECT_EQ(b.outcome.blends.at(0).flat_ends, 2u);
+}
+
+/// Edges of any angle between planes.
+TEST(Fillet_partial, EdgesOfBodiesAtRandom) {
+  std::mt19937 random(3);
+  Fillet_options options = options_of(0, fine);
+  options.smooth_angle = 5;
+  for (int trial = 0; trial < 30; ++trial) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 12; ++i) points.push_back(8 * random_direction(random));
+    const Polytope body = hull_of(points);
+    const Blend_mesh mesh = body.mesh();
+    const Polytope_edge e = body.edges()[static_cast<std::size_t>(random()) % body.edges().size()];
+    const Vec3 p = body.points()[e.a], q = body.points()[e.b];
+    const double length = (q - p).norm(), turn = body.turn(e), r = 0.02 * length;
+    if (turn < 0.2) continue;
+    SCOPED_TRACE(trial);
+    Blend_mesh out;
+    const Fillet_outcome outcome = unchecked::fillet_edges(
+        mesh, {part(mesh, {p.x(), p.y(), p.z()}, {q.x(), q.y(), q.z()}, r, 0.3, 0.6)}, out, options);
+    ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+    EXPECT_TRUE(validate(out).ok());
+    EXPECT_EQ(outcome.blends.at(0).flat_ends, 2u);
+    const double section = (std::tan(turn / 2) - turn / 2) * r * r, expected = section * 0.3 * length;
+    const double share = 1e-3 + 2.0 / 3 * fine * turn * r * r / section;
+    EXPECT_NEAR(volume_of(mesh) - volume_of(out), expected, share * expected);
+  }
+}
+
+/// Beside a coarse round the arc is tangent to normals of no facet, and leaves the body before it comes back into it. The
+/// sections of a prism are alike, so volumes are as lengths.
+TEST(Fillet_partial, BesideACoarseRound) {
+  for (const int steps : {8, 9, 12, 24}) {
+    SCOPED_TRACE(steps);
+    std::vector<std::pair<double, double>> outline;  // half a disk
+    for (int i = 0; i <= steps; ++i) outline.emplace_back(5 * std::cos(pi * i / steps), 5 * std::sin(pi * i / steps));
+    outline.front().second = outline.back().second = 0;
+    const Blend_mesh mesh = prism(outline, 0, 20);
+    const Point_3 p(5, 0, 0), q(5, 0, 20);
+    for (const double r : {0.3, 1.0}) {
+      const Blended long_part = blend_all(mesh, {part(mesh, p, q, r, 0.1, 0.9)}, fine);
+      const Blended half = blend_all(mesh, {part(mesh, p, q, r, 0.25, 0.75)}, fine);
+      expect_change(half, long_part.change * 0.5 / 0.8, 0.005);
+      EXPECT_LT(half.change, 0);
+      const Flat_end end = flat_end(half, {5, 0, 5}, {0, 0, 1}, r);
+      EXPECT_GT(end.area, 0);
+      EXPECT_LT(end.off_plane, 1e-3 * r);
+    }
+  }
 }
 
 TEST(Fillet_partial, FollowsMotionScaleAndOrder) {
