@@ -20,7 +20,7 @@ namespace {
 
 constexpr double reach_in_radii = 4;       // around an end, besides what the wedge's contacts take
 constexpr double widest_wedge = 10;        // contacts farther from the edge, in radii, are not looked for
-constexpr double least_depth = 0.05;     // of a flat end's rows below the faces, in steps of rows on the chord
+constexpr double least_depth = 0.05;       // of a flat end's rows below the faces, in steps of rows on the chord
 constexpr double straight_on = pi - 1e-6;  // face angles at a vertex above it: the rim does not leave the face
 
 /// The sharp edges around the vertex that a halfedge points to, from its left side round to its right one, as halfedges
