@@ -94,9 +94,20 @@ Halfedge Base_surface::name_fan(const std::vector<Halfedge>& corners) const {
   return id;
 }
 
+/// Not of unit length, so that interpolation over the parts of a divided face gives what it gave over the whole.
+Vec Base_surface::normal_on_edge(const Edge_point& at, const std::vector<Halfedge>& corners) const {
+  const bool left = std::find(corners.begin(), corners.end(), at.into) != corners.end();
+  const Halfedge first = left ? mesh_.prev(at.first) : mesh_.opposite(at.first);
+  const Halfedge last = left ? at.last : mesh_.prev(mesh_.opposite(at.last));
+  return (1 - at.part) * corner_normal(first, 0) + at.part * corner_normal(last, 0);
+}
+
 Vec Base_surface::smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const {
   Vec sum = Vec::Zero();
   if (pass == 0) {
+    if (options_.edge_points)
+      if (const auto at = options_.edge_points->find(mesh_.target(id)); at != options_.edge_points->end())
+        return normal_on_edge(at->second, corners);
     const auto is_blend = [&](Halfedge g) { return blends_ && blends_->count(mesh_.face(g)) != 0; };
     const bool only_blends = std::all_of(corners.begin(), corners.end(), is_blend);
     // Weights by angle: a quadrilateral split along either diagonal gives the same normal.

@@ -36,6 +36,13 @@ struct Surface_point {
 /// Everything is evaluated on demand, so that the cost depends on what is visited only.
 class Base_surface {
  public:
+  /// Where a vertex lies on an edge of the surface that was divided; halfedges run from the edge's first end to its last.
+  struct Edge_point {
+    Halfedge first, into, last;  ///< from the first end on; to the vertex; to the last end
+    double part = 0;             ///< of the edge from its first end on
+  };
+  using Edge_points = std::unordered_map<Vertex, Edge_point>;
+
   struct Options {
     double smooth_angle = 40;    ///< degrees; across edges above it normals are not averaged
     double shortest_crease = 0;  ///< chains of such edges that are shorter are roughness, and smooth all the same
@@ -45,6 +52,7 @@ class Base_surface {
     /// A ball of this radius rolls on over sharp edges that bend towards it, length units; 0: they stop it.
     double rolling_radius = 0;
     bool ball_inside = false;  ///< of the solid: then the edges that bend towards the ball are the concave ones
+    const Edge_points* edge_points = nullptr;  ///< where normals are interpolated, as if there were no vertex
   };
 
   /// \param creases edges across which the surface is not smooth, whatever their angle; may be null
@@ -127,6 +135,7 @@ class Base_surface {
   [[nodiscard]] bool steep(Edge e) const;
   [[nodiscard]] bool on_long_crease(Edge e) const;
   [[nodiscard]] Vec corner_normal(Halfedge h, int pass) const;
+  [[nodiscard]] Vec normal_on_edge(const Edge_point& at, const std::vector<Halfedge>& corners) const;
   [[nodiscard]] Vec smoothed_normal(const std::vector<Halfedge>& corners, Halfedge id, int pass) const;
   Halfedge name_fan(const std::vector<Halfedge>& corners) const;
   [[nodiscard]] std::vector<Halfedge> fan_corners(Halfedge h) const;

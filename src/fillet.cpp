@@ -7,6 +7,7 @@
 #include "fillet_coarse.h"
 #include "fillet_flaws.h"
 #include "fillet_in_passes.h"
+#include "fillet_partial.h"
 #include "near_faces.h"
 #include "propagate_chain.h"
 #include "sharp_mesh.h"
@@ -268,16 +269,23 @@ Fillet_outcome fillet_edges(const Blend_mesh& mesh, const std::vector<Edge_blend
   Fillet_outcome outcome;
   outcome.diagnosis = check_options(options);
   if (!outcome.diagnosis.ok()) return outcome;
-  for (const Edge_blend& blend : chosen)
-    if (blend.profile && !is_finite(*blend.profile)) {
+  for (const Edge_blend& blend : chosen) {
+    outcome.diagnosis = check_range(blend);
+    if (blend.profile && !is_finite(*blend.profile))
       outcome.diagnosis = {Status::invalid_parameter, "the profile of a blend must be finite", {}, {}};
-      return outcome;
-    }
+    if (!outcome.diagnosis.ok()) return outcome;
+  }
   const std::vector<Edge_blend> blends =
       options.propagate ? propagate_chains(mesh, chosen, options.smooth_angle) : chosen;
+  const auto engine = [&](const Fillet_body& body, const std::vector<Edge_blend>& wanted) {
+    return flaws.empty() ? blend_body(body, wanted, out, options)
+                         : blend_beside_flaws(body, wanted, flaws, out, options);
+  };
+  if (std::any_of(blends.begin(), blends.end(), is_partial))
+    return fillet_partial(mesh, blends, flaws, out, options, engine);
   Fillet_body body;
   body.mesh = body.base[0] = body.base[1] = &mesh;
-  return flaws.empty() ? blend_body(body, blends, out, options) : blend_beside_flaws(body, blends, flaws, out, options);
+  return engine(body, blends);
 }
 
 Fillet_outcome corefine_and_fillet(const Blend_mesh& first, const Blend_mesh& second, Boolean_operation operation,

@@ -2,6 +2,7 @@
 #ifndef CGAL_BLEND_SRC_FILLET_BODY_H
 #define CGAL_BLEND_SRC_FILLET_BODY_H
 
+#include "base_surface.h"
 #include "cell_map.h"
 
 #include <cgal_blend/fillet.h>
@@ -18,6 +19,8 @@ struct Fillet_body {
   std::array<const Blend_mesh*, 2> base{};
   std::array<bool, 2> reversed{};  ///< the base's faces point into the solid
   bool own_surface = true;         ///< the curves are edges of the base, which is smooth on either side only
+  std::vector<Edge> creases;       ///< edges that count as sharp, besides those that are to be blended
+  Base_surface::Edge_points edge_points;  ///< vertices where edges of the surface were divided
 };
 
 /// What became of a body, besides faces that are gone.

@@ -138,7 +138,9 @@ class Engine {
          const Earlier_blends& earlier = {})
       : earlier_(earlier), creases_(earlier.creases.begin(), earlier.creases.end()),
         blend_faces_(earlier.faces.begin(), earlier.faces.end()), body_(body), options_(options),
-        levels_(thorough ? smoothings.size() : quick_levels) {}
+        levels_(thorough ? smoothings.size() : quick_levels) {
+    creases_.insert(body.creases.begin(), body.creases.end());
+  }
 
   Fillet_pass run(const std::vector<Edge_blend>& blends, Blend_mesh& out) {
     Stopwatch watch;
@@ -390,6 +392,7 @@ class Engine {
   [[nodiscard]] Base_surface::Options open_surface_options(std::size_t level) const {
     Base_surface::Options options;
     options.smooth_angle = std::min(options_.smooth_angle, open_angles[level]);
+    options.edge_points = &body_.edge_points;
     return options;
   }
 
@@ -445,6 +448,7 @@ class Engine {
     options.smooth_angle = std::max(options_.smooth_angle, how.smooth_angle);
     options.shortest_crease = how.shortest_crease * radius;
     options.smoothing_passes = how.passes;
+    options.edge_points = &body_.edge_points;
     return options;
   }
 
@@ -613,6 +617,7 @@ class Engine {
     set_rolling(job, view);
     branch.surface = std::make_unique<Base_surface>(*body_.mesh, view, &creases_, &blend_faces_);
     branch.between_balls = job.between.has_value();
+    job.report.flat_ends = 0;
     for (const int end : {0, 1}) view_end_of(job, index, end);
     Sampling steps = sampling(options_.chord_tolerance);
     steps.samples = options_.samples;
@@ -640,6 +645,7 @@ class Engine {
     if (!is_complete) {
       branch.through[end] = corner;
       e = view_end(*branch.surface, into({index, end}), end, job.curve.convex, job.report.radius);
+      job.report.flat_ends += e.kind == Branch_end::Kind::cap ? 1 : 0;
       return;
     }
     e.kind = Branch_end::Kind::ball;

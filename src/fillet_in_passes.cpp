@@ -38,6 +38,8 @@ Passes run_passes(const Fillet_body& body, const std::vector<Edge_blend>& blends
   if (!whole.ok() || pass.later.empty()) return result;
   Ancestry ancestry(whole);
   std::vector<Later_blend::Step> creases;
+  for (const Edge e : body.creases)
+    creases.emplace_back(body.mesh->point(body.mesh->vertex(e, 0)), body.mesh->point(body.mesh->vertex(e, 1)));
   while (!pass.later.empty()) {
     Blend_mesh mesh = std::move(out);
     out.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "open_branch.h"
 
+#include "ball_solver.h"
 #include "refusal.h"
 
 #include <Eigen/Geometry>
@@ -47,6 +48,24 @@ Ball_position ball_in_corner(const Base_surface& surface, const Blend_corner& co
   for (const int side : {0, 1}) p.contact[side] = surface.position(p.foot[side]);
   p.radius = (p.contact[0] - p.center).norm();
   return p;
+}
+
+/// The ball in the plane through the vertex of a flat end that both normals there span: contacts, centre and vertex then
+/// lie in it, as far as the surfaces go on straight from the edge to the contacts.
+std::optional<Ball_position> ball_at_flat_end(const Ball_solver& solver, const Branch_end& end,
+                                              const Ball_position& near) {
+  const Base_surface& surface = solver.surface(0);
+  const Blend_mesh& mesh = surface.mesh();
+  const auto normal = [&](Halfedge into_vertex) {
+    const Base_surface::Frame& frame = surface.frame(mesh.face(into_vertex));
+    const auto corner = std::find(frame.halfedge.begin(), frame.halfedge.end(), into_vertex) - frame.halfedge.begin();
+    return frame.normal[static_cast<std::size_t>(corner)];
+  };
+  const Vec across = normal(end.into).cross(normal(mesh.prev(mesh.opposite(end.into)))).stableNormalized();
+  const Vec ahead = end.end == 1 ? end.direction : Vec(-end.direction);
+  const double sign = across.dot(ahead) < 0 ? -1 : 1;
+  const double fraction = end.end;
+  return solver.solve({to_vec(mesh.point(end.vertex(mesh))), sign * across, near.foot, fraction}).position;
 }
 
 /// Puts a ball position in its place among others, instead of those that are nearer to it than `least`.
@@ -157,9 +176,15 @@ Open_roll roll_open(Open_branch& branch, Blend_curve& curve, const Radius_law& l
   result.diagnosis = path.diagnosis;
   if (!path.diagnosis.ok()) return result;
   const double facet = steps.finest * radius;
-  for (const Branch_end& end : branch.ends)
+  const Ball_solver solver(surfaces, law, curve.convex);
+  for (const Branch_end& end : branch.ends) {
+    if (end.kind == Branch_end::Kind::cap)
+      if (const auto ball =
+              ball_at_flat_end(solver, end, end.end == 1 ? path.positions.back() : path.positions.front()))
+        end_at(path.positions, *ball, end.end, end.direction, clear_of_facet * facet);
     if (end.kind == Branch_end::Kind::fade)
       end_fading(path.positions, end, to_vec(surface.mesh().point(end.vertex(surface.mesh()))));
+  }
   for (const Branch_end& end : branch.ends) {
     if (!branch.through[end.end]) continue;
     const Vec ahead = end.end == 1 ? end.direction : Vec(-end.direction);
@@ -269,12 +294,14 @@ class End_assembler {
     const int left = end_.left();
     std::array<std::vector<Vertex>, 2> leg;  // from the vertex outward, without the end of the rim
     for (const int side : {0, 1}) {
-      if (end_.inside[side]) {
+      const bool flat = end_.kind == Branch_end::Kind::cap;  // it may lie in the plane of faces beyond
+      if (flat || !end_.inside[side])
+        for (const Vertex v : border_to_rim(branch_.surface->mesh(), end_, side, strip_.rim[side]))
+          leg[side].push_back(cells_.vertex(0, v));
+      if (end_.inside[side] && leg[side].empty()) {
         if (Diagnosis diagnosis = cut_seam(side, leg[side]); !diagnosis.ok()) return diagnosis;
         continue;
       }
-      for (const Vertex v : border_to_rim(branch_.surface->mesh(), end_, side, strip_.rim[side]))
-        leg[side].push_back(cells_.vertex(0, v));
       if (leg[side].empty()) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
       std::vector<Vertex> steps = leg[side];
       steps.push_back(rim_end(side));
@@ -301,7 +328,7 @@ class End_assembler {
     const Face beside = base.face(side == end_.left() ? end_.into : base.opposite(end_.into));
     const Station vertex = station_at(*branch_.surface, beside, end_.vertex(base));
     std::size_t stuck = 0;
-    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {snap_}, stuck);
+    auto path = open_path(*branch_.surface, {strip_.rim[side], vertex}, {end_.snap(snap_)}, stuck);
     if (!path) return refusal(Status::no_rolling_ball, strip_.rim[side].point);
     Rim seam;
     seam.surface = branch_.surface.get();

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double reach_in_radii = 4;       // around an end, besides what the wedge's contacts take
 constexpr double widest_wedge = 10;        // contacts farther from the edge, in radii, are not looked for
+constexpr double least_depth = 0.05;       // of a flat end's rows below the faces, in steps of rows on the chord
 constexpr double straight_on = pi - 1e-6;  // face angles at a vertex above it: the rim does not leave the face
 
 /// The sharp edges around the vertex that a halfedge points to, from its left side round to its right one, as halfedges
@@ -218,12 +219,33 @@ class Strip_ender {
       result_.end.last[k] = from_end(1);
       result_.end.hit[k] = row_point(k, from_end(0));
     }
+    const double snap = end_.snap(snap_);
     for (const int side : {0, 1}) {
       const Ball_position& last = positions_[from_end(0)];
       if (surface_.is_extension(last.foot[side].face)) return refuse(Status::radius_exceeds_face, last.contact[side]);
-      result_.end.rim[side] = station_at(surface_, last.foot[side], snap_);
+      std::optional<Station> border;  // a flat end may lie in the plane of a face beyond
+      if (!end_.border[side].empty()) border = border_station_at(surface_, last.foot[side], snap);
+      result_.end.rim[side] = border ? *border : station_at(surface_, last.foot[side], snap);
     }
+    if (end_.kind == Branch_end::Kind::cap)
+      for (const int side : {0, 1}) keep_below(side);
     return true;
+  }
+
+  /// The arc is tangent to interpolated normals. Where it begins outside of the face itself, a flat end would cross the
+  /// face: its points are moved towards the chord between the contacts, by no more than they are above the face.
+  void keep_below(int side) {
+    const Ball_position& last = positions_[from_end(0)];
+    const Vec& normal = surface_.frame(last.foot[side].face).face_normal;
+    const double least = least_depth / static_cast<double>(rows_.size());
+    for (std::size_t k = 1; k + 1 < rows_.size(); ++k) {
+      Vec& p = result_.end.hit[k];
+      const double part = static_cast<double>(k) / static_cast<double>(rows_.size() - 1);
+      const Vec on_chord = (1 - part) * last.contact[0] + part * last.contact[1];
+      const double depth = normal.dot(p - last.contact[side]), whole = normal.dot(on_chord - last.contact[side]);
+      const double share = depth / whole;
+      if (whole != 0 && share < least) p += (least - share) / (1 - share) * (on_chord - p);
+    }
   }
 
   bool close_at_vertex() {
@@ -391,7 +413,6 @@ Branch_end view_end(const Base_surface& surface, Halfedge into, int end, bool co
     e.kind = Branch_end::Kind::cap;
     e.fill = false;
     e.inside = {true, true};
-    e.border = {};
   }
   return e;
 }

@@ -29,12 +29,15 @@ struct Branch_end {
   Vec direction;   ///< of the branch, outward
   bool fill = false;                         ///< faces: their extension cuts, and they grow
   std::array<bool, 2> inside{};              ///< per side: the rim goes on inside the base face beyond the vertex
-  std::array<std::vector<Halfedge>, 2> border{};  ///< per side: border of its base face from the vertex on, outward
+  std::array<std::vector<Halfedge>, 2> border{};  ///< per side: border of its base face from the vertex on, outward;
+                                                  ///< none where its own crease goes on
   double reach = 0;                          ///< length to look at around the vertex
 
   [[nodiscard]] Vertex vertex(const Blend_mesh& mesh) const { return mesh.target(into); }
   /// Side of the branch left of `into`.
   [[nodiscard]] int left() const { return end == 1 ? 0 : 1; }
+  /// Flat ends are to be flat: rims and seams are moved onto edges and vertices only from much nearer than elsewhere.
+  [[nodiscard]] double snap(double elsewhere) const { return kind == Kind::cap ? elsewhere / 16 : elsewhere; }
 };
 
 /// Tells how a branch ends by the sharp edges around its end, none of which is to be blended.

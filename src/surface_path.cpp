@@ -338,6 +338,11 @@ std::optional<Station> leaving_station(const Base_surface& surface, const Surfac
   return builder.snapped(*draft);
 }
 
+std::optional<Station> border_station_at(const Base_surface& surface, const Surface_point& at, double snap) {
+  const auto draft = Path_builder(surface, {snap}).on_border(at.face, surface.position(at));
+  return draft ? std::optional<Station>(*draft) : std::nullopt;
+}
+
 Station station_at(const Base_surface& surface, const Surface_point& at, double snap) {
   return Path_builder(surface, {snap}).snapped(draft_at(surface, at));
 }

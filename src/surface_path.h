@@ -54,6 +54,10 @@ struct Path_rules {
 [[nodiscard]] std::optional<Station> leaving_station(const Base_surface& surface, const Surface_point& inside,
                                                      const Vec& outside, double snap);
 
+/// A point of a surface as a station on a sharp edge of its face, or on an end of one, if one is nearer than `snap`.
+[[nodiscard]] std::optional<Station> border_station_at(const Base_surface& surface, const Surface_point& at,
+                                                       double snap);
+
 /// A point of a surface as a station, on a vertex or an edge if one is nearer than `snap`.
 [[nodiscard]] Station station_at(const Base_surface& surface, const Surface_point& at, double snap);
 [[nodiscard]] Station station_at(const Base_surface& surface, Face face, Vertex vertex);

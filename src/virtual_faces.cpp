@@ -54,7 +54,8 @@ void Base_surface::extend(const std::vector<Halfedge>& chain, const Vec& directi
     std::array<Vec, 2> far;
     for (const int end : {0, 1}) {
       const int k = end == 0 ? s : t;
-      const Vec tangent = direction - direction.dot(f.normal[k]) * f.normal[k];
+      const Vec normal = f.normal[k].stableNormalized();
+      const Vec tangent = direction - direction.dot(normal) * normal;
       far[end] = f.corner[k] + length * tangent.stableNormalized();
     }
     // The face lies left of its halfedge, so beyond it the corners run target, source, far source, far target.

@@ -220,6 +220,56 @@ TEST_F(Cli, RadiusRunsAlongThePolylineFromItsFirstVertex) {
     }
 }
 
+TEST_F(Cli, PartsOfCurves) {
+  const double section = (1 - pi / 4) * 0.2 * 0.2;
+  write("part.json", R"({"blends": [{"polyline": [0, 1], "radius": 0.2, "from": 0.25, "to": 0.75},
+                                    {"polyline": [6, 7], "radius": [[0, 0.1], [1, 0.3]], "from": 0.5},
+                                    {"polyline": [2, 6], "radius": 0.2}]})");
+  const Run r = run("fillet a.off --blends part.json -o out.off --chord-tolerance 4e-4 --report r.json");
+  ASSERT_EQ(r.exit, 0) << r.err;
+  expect_valid("out.off");
+  const Json blends = json("r.json")["blends"];
+  ASSERT_EQ(blends.size(), 3u);
+  EXPECT_EQ(blends[0]["flat_ends"], 2);
+  EXPECT_NE(r.out.find("2 flat ends"), std::string::npos) << r.out;
+  Blend_mesh mesh = read_mesh(path("out.off"));
+  const auto is_there = [&](const Point_3& p) {
+    return std::any_of(mesh.vertices().begin(), mesh.vertices().end(), [&](Vertex v) { return mesh.point(v) == p; });
+  };
+  EXPECT_TRUE(is_there({0.5, 0, 0}) && is_there({1.5, 0, 0}) && is_there({1, 2, 2}));
+
+  // Both options hold for every curve; the file has the last word.
+  ASSERT_EQ(
+      run("fillet a.off --sharp-angle 40 --from 0.25 --to 0.75 --radius 0.2 --chord-tolerance 4e-4 -o out.off").exit,
+      0);
+  expect_valid("out.off");
+  EXPECT_NEAR(8 - volume("out.off"), 12 * section, 0.005 * 12 * section);
+  write("own.json", R"({"blends": [{"polyline": [0, 1], "to": 0.5}, {"polyline": [4, 5]}]})");
+  ASSERT_EQ(
+      run("fillet a.off --blends own.json --from 0.25 --to 1 --radius 0.2 --chord-tolerance 4e-4 -o out.off").exit, 0);
+  EXPECT_NEAR(8 - volume("out.off"), section * (0.5 + 1.5), 0.005 * section * 2);
+}
+
+/// Fractions run along a closed polyline, whichever way it runs round the rim.
+TEST_F(Cli, PartOfAClosedPolyline) {
+  std::string backward;
+  for (int i = 64; i >= 0; --i) backward += (i < 64 ? ", " : "") + std::to_string(64 + i % 64);
+  for (const bool turned : {false, true}) {
+    const std::string polyline = turned ? backward : rim_of_cylinder();
+    write("rim.json", R"({"blends": [{"polyline": [)" + polyline + R"(], "radius": 2, "from": 0.1, "to": 0.35}]})");
+    const Run r = run("fillet cylinder.off --blends rim.json -o out.off");
+    ASSERT_EQ(r.exit, 0) << r.err;
+    expect_valid("out.off");
+    const Blend_mesh mesh = read_mesh(path("out.off"));
+    for (const Vertex v : mesh.vertices()) {  // within the part the rim is gone
+      const Point_3& p = mesh.point(v);
+      const double angle = std::atan2(turned ? -p.y() : p.y(), p.x()) / (2 * pi);
+      const bool on_rim = p.z() == 20 && std::hypot(p.x(), p.y()) > 9;
+      EXPECT_FALSE(on_rim && angle > 0.102 && angle < 0.348) << angle;
+    }
+  }
+}
+
 TEST_F(Cli, MapModeKeepsTheFacesOfTheSharpResult) {
   write_mesh(path("ground.off"), grid_box({-30, -30, -20}, {30, 30, 0}, 40));
   write_mesh(path("post.off"), cylinder(10, 96, -5.3, 20, 30));

@@ -61,6 +61,10 @@ class Cli_refusals : public Cli_runner, public testing::WithParamInterface<Refus
     write("falling_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0.5, 1], [0.5, 2]]}]})");
     write("far_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1], [50, 2]]}]})");
     write("zero_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1], [1, 0]]}]})");
+    write("from_text.json", R"({"blends": [{"polyline": [0, 1], "radius": 0.1, "from": "start"}]})");
+    write("to_null.json", R"({"blends": [{"polyline": [0, 1], "radius": 0.1, "to": null}]})");
+    write("to_far.json", R"({"blends": [{"polyline": [0, 1], "radius": 0.1, "to": 1.5}]})");
+    write("from_behind.json", R"({"blends": [{"polyline": [0, 1], "radius": 0.1, "from": 0.7, "to": 0.2}]})");
     write("one_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [[0, 1]]}]})");
     write("empty_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": []}]})");
     write("bare_radius.json", R"({"blends": [{"polyline": [0, 1], "radius": [1, 2]}]})");
@@ -192,6 +196,15 @@ INSTANTIATE_TEST_SUITE_P(Usage, Cli_refusals, testing::ValuesIn(std::vector<Refu
   {"BlendsWithoutRadius", "fillet box.off -o OUT --blends no_radius.json", 2, "--radius", "invalid_parameter"}}), name_of);
 
 INSTANTIATE_TEST_SUITE_P(Output, Cli_refusals, testing::ValuesIn(std::vector<Refusal>{
+  {"FromNan", box_fillet + "--radius 0.1 --from nan", 2, "--from", ""},
+  {"FromText", box_fillet + "--radius 0.1 --from half", 2, "--from", ""},
+  {"ToTooFar", box_fillet + "--radius 0.1 --to 1.01", 2, "--to", ""},
+  {"FromIsTo", box_fillet + "--radius 0.1 --from 0.5 --to 0.5", 2, "between 0 and 1", "invalid_parameter"},
+  {"FromBehindTo", box_fillet + "--radius 0.1 --from 0.6 --to 0.5", 2, "begin before it ends", "invalid_parameter"},
+  {"FromTextInFile", "fillet box.off -o OUT --blends from_text.json", 2, "'from'", "invalid_parameter"},
+  {"ToNullInFile", "fillet box.off -o OUT --blends to_null.json", 2, "'to'", "invalid_parameter"},
+  {"ToTooFarInFile", "fillet box.off -o OUT --blends to_far.json", 2, "'to'", "invalid_parameter"},
+  {"FromBehindToInFile", "fillet box.off -o OUT --blends from_behind.json", 2, "begin before it ends", "invalid_parameter"},
   {"UnknownFormat", "union box.off overlap.off -o out.step", 2, "out.step", "invalid_parameter"},
   {"NoFolder", "union box.off overlap.off -o nowhere/out.off", 2, "does not exist", "invalid_parameter"},
   {"IsAFolder", "union box.off overlap.off -o folder.off", 2, "folder", "invalid_parameter"},

@@ -80,6 +80,9 @@ struct Blend_report {
   /// True if the ball had to roll on over the edge of a neighbouring face: to the face beyond, or along the edge, where
   /// the blend is not tangent but ends.
   bool over_edges = false;
+  /// Ends of an open curve, 0 to 2, that are a flat face across it: where the crease goes on sharp, as at the ends of a
+  /// part of a curve, and where the faces beyond are in no order that is known.
+  std::size_t flat_ends = 0;
   double coarseness = 0;  ///< map mode: largest distance of the blend from the facets that stand for it / r
 };
 
@@ -125,6 +128,11 @@ struct Edge_blend_of {
   /// curve, from which s runs as the curve does. None, and for curves that it is not on: their first vertex. Curves are
   /// the branches of `make_curve_network`, corners in which two edges meet included.
   std::optional<typename boost::graph_traits<Graph>::vertex_descriptor> start{};
+  /// The part of each curve that is blended, as arc-length fractions from `start` on, 0 <= from < to <= 1: at stations
+  /// within the curve the blend ends in a flat face across it, and what is beyond stays sharp. A law runs over the part.
+  /// On closed curves `from` may exceed `to`: then the part runs over the start. Stations nearer to a vertex than 0.001
+  /// radii are moved there.
+  double from = 0, to = 1;
 };
 using Edge_blend = Edge_blend_of<Blend_mesh>;
 

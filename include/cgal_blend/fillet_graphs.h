@@ -124,6 +124,8 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
   std::vector<Edge_blend> copied_blends;
   for (const Edge_blend_of<Graph>& blend : blends) {
     copied_blends.push_back({{}, blend.radius, blend.profile, blend.law});
+    copied_blends.back().from = blend.from;
+    copied_blends.back().to = blend.to;
     if (blend.start) copied_blends.back().start = copy.copy_of_vertex(*blend.start);
     for (const auto e : blend.edges) copied_blends.back().edges.push_back(copy.copy_of_edge(e));
   }

@@ -54,6 +54,13 @@ Radius_law read_radius(const Json& radius, const std::string& where) {
   return radius.get<double>();
 }
 
+double read_fraction(const Json& fraction, const std::string& where, const std::string& key) {
+  if (!fraction.is_number()) throw usage_failure(where + ": '" + key + "' must be a number");
+  const double value = fraction.get<double>();
+  if (!(value >= 0 && value <= 1)) throw usage_failure(where + ": '" + key + "' must lie between 0 and 1");
+  return value;
+}
+
 Blend_request read_request(const Json& json, const std::string& where) {
   Blend_request request;
   if (!json.is_object() || !json.contains("polyline")) malformed(where, "no 'polyline'");
@@ -63,6 +70,8 @@ Blend_request read_request(const Json& json, const std::string& where) {
     if (!json["profile"].is_string()) malformed(where, "'profile' must be a word");
     request.profile = parse_profile(json["profile"].get<std::string>(), where);
   }
+  if (json.contains("from")) request.from = read_fraction(json["from"], where, "from");
+  if (json.contains("to")) request.to = read_fraction(json["to"], where, "to");
   return request;
 }
 

@@ -58,22 +58,31 @@ bool runs_against_branch(const Blend_mesh& mesh, const std::vector<Edge>& edges,
   return false;
 }
 
-/// The blend along a polyline, at whose first vertex its radius begins.
-Edge_blend blend_along(const Blend_mesh& mesh, const std::vector<Vertex>& polyline, const Blend_request& request,
-                       const std::string& where) {
+/// The blend along a polyline, at whose first vertex its radius and its fractions begin.
+Edge_blend blend_along(const Blend_mesh& mesh, const std::vector<Vertex>& polyline, const Edge_choice& choice,
+                       const Blend_request& request, const std::string& where) {
   Edge_blend blend{edges_along(mesh, polyline, where), 0, request.profile};
-  if (!request.radius) return blend;
-  if (request.radius->is_constant()) {
-    blend.radius = request.radius->largest();  // blends with the same number are joined where they meet
-    return blend;
+  blend.from = request.from.value_or(choice.from);
+  blend.to = request.to.value_or(choice.to);
+  const bool is_partial = blend.from != 0 || blend.to != 1;
+  const bool varies = request.radius && !request.radius->is_constant();
+  const bool turned = (is_partial || varies) && runs_against_branch(mesh, blend.edges, polyline);
+  if (is_partial || varies) blend.start = polyline.front();
+  if (is_partial && turned) {
+    const double from = blend.from;
+    blend.from = 1 - blend.to;
+    blend.to = 1 - from;
   }
-  blend.start = polyline.front();
-  blend.law = runs_against_branch(mesh, blend.edges, polyline) ? request.radius->reversed() : *request.radius;
+  if (varies)
+    blend.law = turned ? request.radius->reversed() : *request.radius;
+  else if (request.radius)
+    blend.radius = request.radius->largest();  // blends with the same number are joined where they meet
   return blend;
 }
 
-std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const std::vector<Blend_request>& requests,
-                                        const std::string& path) {
+std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const Edge_choice& choice,
+                                        const std::vector<Blend_request>& requests) {
+  const std::string& path = choice.blends_file;
   std::vector<Edge_blend> blends;
   std::optional<Vertex_locator<Blend_mesh>> locate;
   for (const Blend_request& request : requests) {
@@ -84,7 +93,7 @@ std::vector<Edge_blend> requested_edges(const Blend_mesh& mesh, const std::vecto
       if (!locate) locate.emplace(mesh);
       polyline = vertices_along(mesh, request.points, *locate, where);
     }
-    blends.push_back(blend_along(mesh, polyline, request, where));
+    blends.push_back(blend_along(mesh, polyline, choice, request, where));
   }
   return blends;
 }
@@ -101,12 +110,15 @@ std::vector<Edge_blend> chosen_edges(const Edge_choice& choice, const std::vecto
   if (!choice.blends_file.empty()) {
     if (requests.empty())
       throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}}, in_quotes(choice.blends_file));
-    return requested_edges(mesh, requests, choice.blends_file);
+    return requested_edges(mesh, choice, requests);
   }
   const std::vector<Edge> edges =
       choice.sharp_angle ? creases(mesh, *choice.sharp_angle) : selected_edges(mesh, choice.edges_file);
   if (edges.empty()) throw Failure(Diagnosis{Status::no_edges_selected, "", {}, {}});
-  return {{edges}};
+  Edge_blend blend{edges};
+  blend.from = choice.from;
+  blend.to = choice.to;
+  return {blend};
 }
 
 }  // namespace cgal_blend::cli

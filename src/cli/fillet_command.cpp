@@ -61,6 +61,10 @@ void add_fillet_command(CLI::App& app, int& exit_status) {
   command
       ->add_option("--blends", options->choice.blends_file, "Blend the polylines of a JSON file, each with its radius")
       ->type_name("FILE");
+  add_number(*command, "--from", options->choice.from, 0, 1, false,
+             "Begin blends within their curves, at this fraction of the arc length [0]")
+      ->type_name("F");
+  add_number(*command, "--to", options->choice.to, 0, 1, false, "End blends at this fraction [1]")->type_name("F");
   add_ball_options(*command, options->ball);
   const auto propagate = [flags = &options->ball.fillet](const std::string& text) {
     if (text != "on" && text != "off")

@@ -59,6 +59,11 @@ std::string success_message(const std::vector<Blend_report>& blends) {
          " curves could not be blended and were left sharp";
 }
 
+std::string flat_ends(const Blend_report& blend) {
+  if (blend.flat_ends == 0) return "";
+  return blend.flat_ends == 1 ? ", 1 flat end" : ", 2 flat ends";
+}
+
 void print_summary(const Fillet_outcome& outcome, const Blend_mesh& mesh, const std::string& file,
                    const Flaw_counts& flaws) {
   std::cout << file << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
@@ -75,7 +80,7 @@ void print_summary(const Fillet_outcome& outcome, const Blend_mesh& mesh, const 
               << " edges, ";
     if (blend.diagnosis.ok())
       std::cout << "radius " << blend.radius << " within " << 100 * blend.radius_error << " %, tangent within "
-                << blend.tangency_deg << " degrees\n";
+                << blend.tangency_deg << " degrees" << flat_ends(blend) << "\n";
     else
       std::cout << "left sharp: " << message(blend.diagnosis) << "\n";
   }

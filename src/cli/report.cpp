@@ -23,12 +23,14 @@ Json blend_json(const Blend_report& blend) {
                {"radius_error", nullptr},
                {"tangency_deg", nullptr},
                {"loops", nullptr},
+               {"flat_ends", nullptr},
                {"coarseness", nullptr}};
   if (diagnosis.max_radius) json["max_radius"] = *diagnosis.max_radius;
   if (diagnosis.ok()) {  // a curve that was left sharp has no such figures
     json["radius_error"] = blend.radius_error;
     json["tangency_deg"] = blend.tangency_deg;
     json["loops"] = blend.loops;
+    json["flat_ends"] = blend.flat_ends;
     if (blend.coarseness > 0) json["coarseness"] = blend.coarseness;  // mapped
   }
   return json;
