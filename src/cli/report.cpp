@@ -24,6 +24,7 @@ Json blend_json(const Blend_report& blend) {
                {"tangency_deg", nullptr},
                {"loops", nullptr},
                {"flat_ends", nullptr},
+               {"over_edges", nullptr},
                {"coarseness", nullptr}};
   if (diagnosis.max_radius) json["max_radius"] = *diagnosis.max_radius;
   if (diagnosis.ok()) {  // a curve that was left sharp has no such figures
@@ -31,6 +32,7 @@ Json blend_json(const Blend_report& blend) {
     json["tangency_deg"] = blend.tangency_deg;
     json["loops"] = blend.loops;
     json["flat_ends"] = blend.flat_ends;
+    json["over_edges"] = blend.over_edges;
     if (blend.coarseness > 0) json["coarseness"] = blend.coarseness;  // mapped
   }
   return json;
