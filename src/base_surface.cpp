@@ -226,9 +226,8 @@ std::vector<Halfedge> Base_surface::border_chain(Halfedge h, bool forward, const
     const Vertex end = forward ? mesh_.target(h) : mesh_.source(h);
     if ((to_vec(mesh_.point(end)) - center).norm() > distance) break;
     const Halfedge start = h;
-    h = forward ? mesh_.next(h) : mesh_.prev(h);
-    while (crossable(h) && h != mesh_.opposite(start))
-      h = forward ? mesh_.next(mesh_.opposite(h)) : mesh_.prev(mesh_.opposite(h));
+    h = next_on_border(h, forward);
+    if (rolls_over(h)) h = next_on_border(mesh_.opposite(h), forward);  // to the face that the ball rolls on to
     if (h == mesh_.opposite(start) || !seen.insert(h).second) break;
     chain.push_back(h);
   }

@@ -26,6 +26,7 @@ constexpr double shortest_jump = 0.4;   // radii
 constexpr double regress = 0.6;         // radii from the crossing back to the ends of the joint
 constexpr double search_reach = 4;      // radii around the joint in which contacts are looked for
 constexpr std::size_t fewest_joints = 4;
+constexpr double widest_joint = 10;  // radii: farther apart, positions are too sparse to tell where the loop is
 constexpr int taubin_steps = 6;
 constexpr double taubin_lambda = 0.5, taubin_mu = -0.53;
 constexpr double widest_contact_step = 1.5;  // of the joint's step
@@ -195,6 +196,7 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
                                                    const std::array<const Base_surface*, 2>& surfaces, double radius,
                                                    double step) {
   const std::size_t n = positions.size();
+  if (surfaces[0]->rolls() || surfaces[1]->rolls()) return std::nullopt;  // feet on bands are on no face
   // What is left, starting behind the loop, without what lies too near to the crossing.
   std::vector<Ball_position> kept;
   for (std::size_t k = 0, i = (crossing.last + 1) % n; k < n; ++k, i = (i + 1) % n) {
@@ -212,6 +214,7 @@ std::optional<std::vector<Ball_position>> cut_loop(const std::vector<Ball_positi
   const Vec leave = end_tangent(kept[kept.size() - 3].center, kept[kept.size() - 2].center, from.center);
   const Vec arrive = -end_tangent(kept[2].center, kept[1].center, to.center);
   const double span = (to.center - from.center).norm();
+  if (span > widest_joint * radius) return std::nullopt;
   const auto joints = std::max(fewest_joints, static_cast<std::size_t>(std::ceil(span / step)));
   std::vector<Vec> centers;
   for (std::size_t k = 0; k <= joints; ++k) {

@@ -74,7 +74,7 @@ void Base_surface::extend(const std::vector<Halfedge>& chain, const Vec& directi
   // Neighbours share the side from a vertex to its far vertex: low has that of its target, high that of its source.
   for (const Quad& a : quads)
     for (const Quad& b : quads)
-      if (a.target == b.source && a.low != b.low) {
+      if (a.target == b.source && a.low != b.low && (!rolls() || fan(a.halfedge) == fan(mesh_.prev(b.halfedge)))) {
         virtual_[a.low.idx() - first_virtual_].sides[1] = {b.high, 2, Halfedge()};
         virtual_[b.high.idx() - first_virtual_].sides[2] = {a.low, 1, Halfedge()};
       }
@@ -107,6 +107,13 @@ void Base_surface::extend_band(Face face, int exit, Halfedge h, bool at_target) 
   virtual_[after.face.idx() - first_virtual_].sides[after.opposite] = before;
   virtual_[before.face.idx() - first_virtual_].sides[before.opposite] = after;
   virtual_[face.idx() - first_virtual_].sides[exit] = {low, 2, {}};
+  // The face beyond may be extended as well.
+  const auto found = extension_beyond_.find(next_on_border(beyond, at_target).idx());
+  if (found == extension_beyond_.end()) return;
+  const Face near = found->second.face;  // low; its neighbour on side 0 is high
+  const Side outer = at_target ? Side{virtual_[near.idx() - first_virtual_].sides[0].face, 2, {}} : Side{near, 1, {}};
+  virtual_[high.idx() - first_virtual_].sides[0] = outer;
+  virtual_[outer.face.idx() - first_virtual_].sides[outer.opposite] = {high, 0, {}};
 }
 
 /// The sharp edge that the surface's border goes on with at the target or the source of one.

@@ -464,10 +464,11 @@ TEST(Fillet, RefusesOperandsThatDoNotCross) {
   EXPECT_EQ(refusal_of(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), 0.1), Status::operands_touch);
 }
 
+/// Over the edges of the plate the ball rolls on, but not over its corners.
 TEST(Fillet, RefusesARadiusThatRunsOffTheFace) {
   Blend_mesh out;
   const Fillet_outcome outcome =
-      corefine_and_fillet(plate(50, 10), cylinder(R, 64, -5, 40), Boolean_operation::union_, out, options_of(45));
+      corefine_and_fillet(plate(50, 10), cylinder(R, 64, -5, 40), Boolean_operation::union_, out, options_of(80));
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.diagnosis.status, Status::radius_exceeds_face);
   EXPECT_TRUE(outcome.diagnosis.point.has_value());
@@ -505,10 +506,10 @@ TEST(Fillet, CanBeCancelled) {
 }
 
 TEST(Fillet, KeepGoingLeavesTheRestSharp) {
-  // One boss has room for the ball, the other stands at the plate's border.
+  // One boss has room for the ball, the other stands in a corner of the plate.
   const Blend_mesh body = plate(50, 10);
   Blend_mesh both;
-  const Blend_mesh border_boss = transformed(cylinder(4, 48, -5, 30), placement({0, 0, 1}, 0.1, {44, 0, 0}));
+  const Blend_mesh border_boss = transformed(cylinder(4, 48, -5, 30), placement({0, 0, 1}, 0.1, {45.8, 45.8, 0}));
   ASSERT_TRUE(corefine_and_fillet(body, border_boss, Boolean_operation::union_, both, options_of(0)).ok());
   Blend_mesh all;
   ASSERT_TRUE(corefine_and_fillet(both, cylinder(R, 64, -5, 40), Boolean_operation::union_, all, options_of(0)).ok());

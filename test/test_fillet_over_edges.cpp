@@ -135,7 +135,7 @@ TEST(Fillet_over_edges, FaceBeyondAChamferedEdge) {
   const double slope = pi / 6, length = 8;
   const double x1 = 18 + ledge, x2 = x1 + length * std::cos(slope), y2 = 10 - length * std::sin(slope);
   const Blend_mesh mesh = prism({{0, 0}, {x2, 0}, {x2, y2}, {x1, 10}, {18, 10}, {18, 20}, {0, 20}}, 0, 20);
-  const double r = 4;  // touches the chamfer: the wall and it make an angle of 120 degrees in air
+  const double r = 5;  // touches the chamfer: the wall and it make an angle of 120 degrees in air
   // The chamfer's line a + t d with outward normal n; the centre is r from it and from the wall.
   const double nx = std::sin(slope), ny = std::cos(slope), cx = 18 + r, cy = (r + nx * x1 + ny * 10 - nx * cx) / ny;
   ASSERT_GT((cx - x1) * std::cos(slope) - (cy - 10) * std::sin(slope), 0);  // the contact is on the chamfer
@@ -152,11 +152,19 @@ TEST(Fillet_over_edges, FaceBeyondAChamferedEdge) {
       1e-9 * r);
 }
 
+/// Round the corners of a plate the ball cannot roll.
 TEST(Fillet_over_edges, LargestRadiusIsTold) {
-  const Blend_mesh mesh = stair(2);
-  const auto most = expect_largest_radius(mesh, foot_of_wall(mesh, 2), 60, options_of(0, 5e-3));
+  const double R = 5, a = 20;
+  Blend_mesh mesh;
+  ASSERT_TRUE(
+      corefine_and_fillet(plate(a, 10), cylinder(R, 64, -5, 60), Boolean_operation::union_, mesh, options_of(0)).ok());
+  const std::vector<Edge> foot = edges_where(mesh, [&](const Point_3& p, const Point_3& q) {
+    return p.z() == 0 && q.z() == 0 && std::hypot(p.x(), p.y()) < R + 1 && std::hypot(q.x(), q.y()) < R + 1;
+  });
+  const double limit = a * std::sqrt(2.0) - R;
+  const auto most = expect_largest_radius(mesh, foot, 1.2 * limit, options_of(0, 5e-3));
   if (most) {
-    EXPECT_GT(*most, 10);
+    EXPECT_NEAR(*most, limit, 0.05 * limit);
   }
 }
 
