@@ -24,6 +24,26 @@ Quadric_3::Point_3 affine(const Projective<Real>& p) {
   return {number(0), number(1), number(2)};
 }
 
+// Makes the arc reach from break to break; from and to infinite ones only as far as its first and last point on the box.
+// Returns false if nothing is left.
+bool set_range(internal::Curve_arc& arc, const Intersection_builder::Break& begin, const Intersection_builder::Break& end,
+               const std::vector<Real>& entries) {
+  Real from = begin.angle, to = end.angle;
+  if (begin.is_infinite || end.is_infinite) {
+    std::vector<Real> inside;
+    for (const Real& entry : entries)
+      for (const Real& angle : {entry, Real(entry + pi)})
+        if (angle > begin.angle && angle < end.angle) inside.push_back(angle);
+    if (inside.empty()) return false;
+    const auto [first, last] = std::minmax_element(inside.begin(), inside.end());
+    if (begin.is_infinite) from = *first;
+    if (end.is_infinite) to = *last;
+  }
+  if (from == to) return false;
+  arc.set_range(from, to);
+  return true;
+}
+
 std::string in_plural(const std::string& name, int count) {
   const std::string shape = name.substr(0, name.find(" with "));
   return count_in_words(static_cast<std::size_t>(count)) + " " + shape + "s" + name.substr(shape.size());
@@ -127,48 +147,31 @@ void Intersection_builder::add_arcs(const std::shared_ptr<const Projective_curve
     return;
   }
   std::sort(breaks.begin(), breaks.end(), [](const Break& x, const Break& y) { return x.angle < y.angle; });
+  const std::vector<Real> entries = entries_to_box(*curve);
   for (std::size_t i = 0; i < breaks.size(); ++i) {
     const bool is_last = i + 1 == breaks.size();
     Break end = breaks[is_last ? 0 : i + 1];
     if (is_last) end.angle += pi;
-    add_arc(curve, breaks[i], end, degree, multiplicity);
+    auto arc = std::make_shared<internal::Curve_arc>(*surfaces_);
+    arc->curve = curve;
+    arc->degree = degree;
+    arc->multiplicity = multiplicity;
+    if (!set_range(*arc, breaks[i], end, entries)) continue;
+    components_.emplace_back(arc);
   }
 }
 
-void Intersection_builder::add_arc(const std::shared_ptr<const Projective_curve>& curve, Break begin, Break end,
-                                   int degree, int multiplicity) {
-  if (begin.is_infinite || end.is_infinite) {
-    const std::vector<Real> entries = entries_to_box(*curve, begin, end);
-    if (entries.empty()) return;
-    if (begin.is_infinite) begin.angle = entries.front();
-    if (end.is_infinite) end.angle = entries.back();
-    if (begin.angle == end.angle) return;
-  }
-  auto arc = std::make_shared<internal::Curve_arc>(*surfaces_);
-  arc->curve = curve;
-  arc->set_range(begin.angle, end.angle);
-  arc->degree = degree;
-  arc->multiplicity = multiplicity;
-  components_.emplace_back(arc);
-}
-
-// Angles where the arc meets the surface of the box, ascending.
-std::vector<Real> Intersection_builder::entries_to_box(const Projective_curve& curve, const Break& begin,
-                                                       const Break& end) const {
+std::vector<Real> Intersection_builder::entries_to_box(const Projective_curve& curve) const {
   std::vector<Real> angles;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const double wall : {options_.box, -options_.box}) {
       Projective<Real> plane{0, 0, 0, -wall};
       plane[axis] = 1;
       for (const Direction& at : curve.meets_plane(plane)) {
-        Real angle = angle_of(at);
-        if (angle <= begin.angle) angle += pi;
-        if (angle >= end.angle) continue;
         const Projective<Dual<Real>> x = curve.at({at.c, 0}, {at.s, 0});
         const Real limit = options_.box * abs(x[3].value) * (1 + on_box);
-        const bool is_inside =
-            std::all_of(x.begin(), x.begin() + 3, [&](const Dual<Real>& c) { return abs(c.value) <= limit; });
-        if (is_inside) angles.push_back(angle);
+        if (std::all_of(x.begin(), x.begin() + 3, [&](const Dual<Real>& c) { return abs(c.value) <= limit; }))
+          angles.push_back(angle_of(at));
       }
     }
   std::sort(angles.begin(), angles.end());

@@ -18,6 +18,12 @@ namespace cgal_blend {
 /// finds the words for the type. Points and planes are (x, y, z, w).
 class Intersection_builder {
  public:
+  /// Where an arc ends: at infinity or in a cusp.
+  struct Break {
+    Real angle;  ///< of the parameter
+    bool is_infinite;
+  };
+
   Intersection_builder(const Quadric_3& a, const Quadric_3& b, const Intersection_options& options);
 
   /// Adds an irreducible curve with coordinates that are binary forms; what lies at infinity altogether is left out.
@@ -44,18 +50,11 @@ class Intersection_builder {
   [[nodiscard]] Quadric_intersection finish(const std::string& segre) const;
 
  private:
-  struct Break {
-    Real angle;
-    bool is_infinite;
-  };
-
   void note(const std::string& name, int multiplicity);
   void add_arcs(const std::shared_ptr<const Projective_curve>& curve, std::vector<Break> breaks, int degree,
                 int multiplicity);
-  void add_arc(const std::shared_ptr<const Projective_curve>& curve, Break begin, Break end, int degree,
-               int multiplicity);
-  [[nodiscard]] std::vector<Real> entries_to_box(const Projective_curve& curve, const Break& begin,
-                                                 const Break& end) const;
+  // Angles where the curve meets the surface of the box, ascending.
+  [[nodiscard]] std::vector<Real> entries_to_box(const Projective_curve& curve) const;
   [[nodiscard]] std::string words() const;
 
   std::shared_ptr<const internal::Curve_arc> surfaces_;  // the arc that all others are copies of
