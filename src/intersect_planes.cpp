@@ -67,25 +67,19 @@ void add_planes_through_generator(Intersection_builder& builder, const Surd_matr
     crossing = {x, y};
   }
   builder.add_line(line[0], line[1], multiplicity);
+  builder.add_crossings();
 }
 
 void add_crossings(Intersection_builder& builder, const Line_points& on_line, const std::array<Plane_section, 2>& sections) {
   const bool is_isolated = !sections[0].has_curve && !sections[1].has_curve;
-  std::size_t affine = 0;
   for (const Surd_vector& p : on_line.points) {
     if (is_isolated)
       builder.add_isolated_point(p);
     else
-      affine += builder.add_singular_point(p) ? 1 : 0;
-  }
-  if (!sections[0].has_curve || !sections[1].has_curve) return;
-  if (affine == 0) {
-    builder.add_remark("not meeting");
-    return;
+      builder.add_singular_point(p);
   }
   const bool is_tangent = on_line.is_touching && sections[0].is_smooth_conic && sections[1].is_smooth_conic;
-  builder.add_remark(std::string(is_tangent ? "touching" : "crossing") + " in " + count_in_words(affine) +
-                     (affine == 1 ? " point" : " points"));
+  builder.add_crossings(is_tangent ? "touching in one point" : "");
 }
 
 }  // namespace
@@ -134,6 +128,7 @@ void add_planes(Intersection_builder& builder, const Surd_matrix& planes, const 
   const Surd_matrix line = form.kernel();
   if (form.rank == 1) {
     add_plane_section(builder, quadric, line, 2, true);
+    builder.add_crossings();
     return;
   }
   CGAL_assertion(form.rank == 2);

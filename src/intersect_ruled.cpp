@@ -126,7 +126,7 @@ void add_skew_lines(Intersection_builder& builder, const Form_pencil& pencil) {
     builder.add_line(sum(scaled(r.p, c), scaled(r.d2, d)), sum(scaled(r.d1, c), scaled(r.q, d)), 1);
   for (const auto& [c, d] : exact_roots({s.a[k], s.b[k] + s.b[k], s.c[k]}))
     builder.add_line(sum(scaled(r.p, c), scaled(r.d1, d)), sum(scaled(r.d2, c), scaled(r.q, d)), 1);
-  builder.add_remark("not meeting");
+  builder.add_crossings();
 }
 
 }  // namespace cgal_blend

@@ -41,12 +41,12 @@ bool set_range(internal::Curve_arc& arc, const Intersection_builder::Break& begi
   }
   if (from == to) return false;
   arc.set_range(from, to);
+  arc.has_cusp = {!begin.is_infinite, !end.is_infinite};
   return true;
 }
 
 std::string in_plural(const std::string& name, int count) {
-  const std::string shape = name.substr(0, name.find(" with "));
-  return count_in_words(static_cast<std::size_t>(count)) + " " + shape + "s" + name.substr(shape.size());
+  return count_in_words(static_cast<std::size_t>(count)) + " " + name + "s";
 }
 
 void append(std::string& text, const std::string& separator, const std::string& part) {
@@ -71,16 +71,31 @@ Intersection_builder::Intersection_builder(const Quadric_3& a, const Quadric_3& 
   CGAL_precondition(options.box > 0);
 }
 
-void Intersection_builder::note(const std::string& name, int multiplicity) {
+void Intersection_builder::note(const std::string& name, int degree, int multiplicity) {
   const std::string whole = multiplicity == 1   ? name
                             : multiplicity == 2 ? "double " + name
                             : multiplicity == 3 ? "triple " + name
                                                 : "quadruple " + name;
-  const auto known = std::find_if(curves_.begin(), curves_.end(), [&](const auto& c) { return c.first == whole; });
-  if (known == curves_.end())
-    curves_.emplace_back(whole, 1);
+  const int rank = 10 * (4 - degree) + multiplicity;
+  const auto place = std::find_if(curves_.begin(), curves_.end(), [&](const Curves& c) { return c.rank >= rank; });
+  if (place != curves_.end() && place->name == whole)
+    ++place->count;
   else
-    ++known->second;
+    curves_.insert(place, {whole, rank, 1});
+}
+
+void Intersection_builder::add_crossings(const std::string& how) {
+  int count = 0;
+  for (const Curves& c : curves_) count += c.rank < 40 ? c.count : 0;
+  if (count < 2) return;
+  crossings_ = how;
+  const std::size_t isolated = static_cast<std::size_t>(std::count_if(
+      components_.begin(), components_.end(), [](const Intersection_curve& c) { return c.is_isolated(); }));
+  const std::size_t points = singular_points_.size() - isolated;
+  if (points == 0)
+    crossings_ = "not meeting";
+  else if (how.empty())
+    crossings_ = "crossing in " + count_in_words(points) + (points == 1 ? " point" : " points");
 }
 
 void Intersection_builder::add_rational(const std::string& name, const Surd_matrix& coefficients, int multiplicity,
@@ -92,7 +107,7 @@ void Intersection_builder::add_rational(const std::string& name, const Surd_matr
     points.push_back(to_projective(point));
   }
   if (is_zero(w)) return;
-  note(name, multiplicity);
+  note(name, static_cast<int>(coefficients.size()) - 1, multiplicity);
   std::vector<Break> breaks;
   for (const Form_root& root : real_roots(w)) breaks.push_back({angle_of(root.at), true});
   for (const Form_root& root : real_roots(cusps)) breaks.push_back({angle_of(root.at), false});
@@ -105,7 +120,7 @@ void Intersection_builder::add_line(const Surd_vector& p, const Surd_vector& q, 
 }
 
 void Intersection_builder::add_line(const Surd_vector& p, const Projective<Real>& q, int multiplicity) {
-  note("line", multiplicity);
+  note("line", 1, multiplicity);
   const Projective<Real> from = to_projective(p);
   const Direction infinite = p[3].is_zero() ? Direction{1, 0} : Direction{q[3], -from[3]};
   add_arcs(std::make_shared<const Rational_curve>(std::vector<Projective<Real>>{from, q}), {{angle_of(infinite), true}}, 1,
@@ -114,7 +129,7 @@ void Intersection_builder::add_line(const Surd_vector& p, const Projective<Real>
 
 void Intersection_builder::add_quartic_loop(const std::string& name, const std::shared_ptr<const Projective_curve>& loop,
                                             const std::vector<Direction>& infinite) {
-  if (curves_.empty()) note(name, 1);  // all loops are one curve
+  if (curves_.empty()) note(name, 4, 1);  // all loops are one curve
   std::vector<Break> breaks;
   for (const Direction& at : infinite) breaks.push_back({angle_of(at), true});
   add_arcs(loop, breaks, 4, 1);
@@ -122,7 +137,7 @@ void Intersection_builder::add_quartic_loop(const std::string& name, const std::
 
 void Intersection_builder::add_isolated_point(const Surd_vector& p) {
   if (!add_singular_point(p)) return;
-  note("isolated point", 1);
+  note("isolated point", 0, 1);
   auto arc = std::make_shared<internal::Curve_arc>(*surfaces_);
   arc->isolated_point = affine(to_projective(p));
   components_.emplace_back(arc);
@@ -180,8 +195,8 @@ std::vector<Real> Intersection_builder::entries_to_box(const Projective_curve& c
 
 std::string Intersection_builder::words() const {
   std::string curves, parts;
-  for (const auto& [name, count] : curves_) append(curves, " and ", count == 1 ? name : in_plural(name, count));
-  for (const std::string& remark : remarks_) append(curves, " ", remark);
+  for (const Curves& c : curves_) append(curves, " and ", c.count == 1 ? c.name : in_plural(c.name, c.count));
+  if (!crossings_.empty()) append(curves, " ", crossings_);
   std::size_t loops = 0, arcs = 0;
   for (const Intersection_curve& component : components_) {
     loops += component.is_closed() ? 1 : 0;

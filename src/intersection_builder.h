@@ -42,15 +42,16 @@ class Intersection_builder {
   void add_isolated_point(const Surd_vector& p);
   /// Adds a singular point of the curve, if it is not at infinity; returns whether it is not.
   bool add_singular_point(const Surd_vector& p);
-  /// Appends to the type: "crossing in two points".
-  void add_remark(const std::string& remark) { remarks_.push_back(remark); }
+  /// Appends to the type how often several curves meet: "crossing in two points".
+  /// \param how nothing: that is told by the singular points; else what to say instead of "crossing in ..."
+  void add_crossings(const std::string& how = "");
   /// Says that a surface is common.
   void set_surface(const std::string& name) { surface_ = name; }
 
   [[nodiscard]] Quadric_intersection finish(const std::string& segre) const;
 
  private:
-  void note(const std::string& name, int multiplicity);
+  void note(const std::string& name, int degree, int multiplicity);
   void add_arcs(const std::shared_ptr<const Projective_curve>& curve, std::vector<Break> breaks, int degree,
                 int multiplicity);
   // Angles where the curve meets the surface of the box, ascending.
@@ -59,8 +60,12 @@ class Intersection_builder {
 
   std::shared_ptr<const internal::Curve_arc> surfaces_;  // the arc that all others are copies of
   Intersection_options options_;
-  std::vector<std::pair<std::string, int>> curves_;  // name and how many, in order
-  std::vector<std::string> remarks_;
+  struct Curves {
+    std::string name;
+    int rank, count;  // the order in the type, and how many
+  };
+  std::vector<Curves> curves_;
+  std::string crossings_;
   std::string surface_;
   std::vector<Quadric_3::Point_3> singular_points_;
   std::vector<Intersection_curve> components_;

@@ -103,6 +103,7 @@ Quadric_intersection intersect(const Quadric_3& quadric, const Quadric_3::Plane&
     builder.set_surface("common plane");
   else
     add_plane_section(builder, m, basis, 1, true);
+  builder.add_crossings();
   return builder.finish("");
 }
 
