@@ -26,8 +26,8 @@ Quadric_3::Point_3 affine(const Projective<Real>& p) {
 
 // Makes the arc reach from break to break; from and to infinite ones only as far as its first and last point on the box.
 // Returns false if nothing is left.
-bool set_range(internal::Curve_arc& arc, const Intersection_builder::Break& begin, const Intersection_builder::Break& end,
-               const std::vector<Real>& entries) {
+bool set_range(internal::Curve_arc& arc, const Intersection_builder::Break& begin,
+               const Intersection_builder::Break& end, const std::vector<Real>& entries) {
   Real from = begin.angle, to = end.angle;
   if (begin.is_infinite || end.is_infinite) {
     std::vector<Real> inside;
@@ -84,10 +84,18 @@ void Intersection_builder::note(const std::string& name, int degree, int multipl
     curves_.insert(place, {whole, rank, 1});
 }
 
-void Intersection_builder::add_crossings(const std::string& how) {
+bool Intersection_builder::has_several_curves() const {
   int count = 0;
   for (const Curves& c : curves_) count += c.rank < 40 ? c.count : 0;
-  if (count < 2) return;
+  return count > 1;
+}
+
+void Intersection_builder::set_parallel() {
+  if (has_several_curves()) crossings_ = "in parallel";
+}
+
+void Intersection_builder::add_crossings(const std::string& how) {
+  if (!has_several_curves()) return;
   crossings_ = how;
   const std::size_t isolated = static_cast<std::size_t>(std::count_if(
       components_.begin(), components_.end(), [](const Intersection_curve& c) { return c.is_isolated(); }));
@@ -123,11 +131,12 @@ void Intersection_builder::add_line(const Surd_vector& p, const Projective<Real>
   note("line", 1, multiplicity);
   const Projective<Real> from = to_projective(p);
   const Direction infinite = p[3].is_zero() ? Direction{1, 0} : Direction{q[3], -from[3]};
-  add_arcs(std::make_shared<const Rational_curve>(std::vector<Projective<Real>>{from, q}), {{angle_of(infinite), true}}, 1,
-           multiplicity);
+  add_arcs(std::make_shared<const Rational_curve>(std::vector<Projective<Real>>{from, q}), {{angle_of(infinite), true}},
+           1, multiplicity);
 }
 
-void Intersection_builder::add_quartic_loop(const std::string& name, const std::shared_ptr<const Projective_curve>& loop,
+void Intersection_builder::add_quartic_loop(const std::string& name,
+                                            const std::shared_ptr<const Projective_curve>& loop,
                                             const std::vector<Direction>& infinite) {
   if (curves_.empty()) note(name, 4, 1);  // all loops are one curve
   std::vector<Break> breaks;

@@ -45,6 +45,8 @@ class Intersection_builder {
   /// Appends to the type how often several curves meet: "crossing in two points".
   /// \param how nothing: that is told by the singular points; else what to say instead of "crossing in ..."
   void add_crossings(const std::string& how = "");
+  /// Says of several lines that they are parallel.
+  void set_parallel();
   /// Says that a surface is common.
   void set_surface(const std::string& name) { surface_ = name; }
 
@@ -52,6 +54,7 @@ class Intersection_builder {
 
  private:
   void note(const std::string& name, int degree, int multiplicity);
+  [[nodiscard]] bool has_several_curves() const;
   void add_arcs(const std::shared_ptr<const Projective_curve>& curve, std::vector<Break> breaks, int degree,
                 int multiplicity);
   // Angles where the curve meets the surface of the box, ascending.

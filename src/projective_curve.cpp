@@ -168,8 +168,7 @@ Projective<Dual<NT>> Quartic_loop::evaluate(const Data<NT>& data, const Dual<NT>
   const bool is_opposite = b.value * root.value <= 0;
   const Dual<NT> v0 = is_opposite ? root - b : k, v1 = is_opposite ? a : -b - root;
   Projective<Dual<NT>> x;
-  for (std::size_t i = 0; i < 4; ++i)
-    x[i] = v0 * (t.p[i] * u0 + t.d2[i] * u1) + v1 * (t.d1[i] * u0 + t.q[i] * u1);
+  for (std::size_t i = 0; i < 4; ++i) x[i] = v0 * (t.p[i] * u0 + t.d2[i] * u1) + v1 * (t.d1[i] * u0 + t.q[i] * u1);
   return x;
 }
 
@@ -199,7 +198,8 @@ std::vector<Direction> Quartic_loop::meets_plane(const Projective<Real>& plane) 
 bool Quartic_loop::is_between(const Direction& u) const {
   if (sheet_ != 0) return true;
   const Real tiny("1e-50");  // u may be an end of the interval
-  const Real from_begin = bracket({exact_.begin[0], exact_.begin[1]}, u), to_end = bracket(u, {exact_.end[0], exact_.end[1]});
+  const Real from_begin = bracket({exact_.begin[0], exact_.begin[1]}, u),
+             to_end = bracket(u, {exact_.end[0], exact_.end[1]});
   return abs(from_begin) < tiny || abs(to_end) < tiny || (from_begin > 0) == (to_end > 0);
 }
 
@@ -207,7 +207,8 @@ std::vector<Direction> Quartic_loop::parameter_of(const Direction& u, int sheet)
   if (sheet_ != 0) return sheet == sheet_ ? std::vector<Direction>{u} : std::vector<Direction>{};
   const Direction begin{exact_.begin[0], exact_.begin[1]}, end{exact_.end[0], exact_.end[1]};
   Real from_begin = bracket(begin, u), to_end = bracket(u, end);
-  if (sheet == 0) return abs(from_begin) < abs(to_end) ? std::vector<Direction>{{1, 0}} : std::vector<Direction>{{0, 1}};
+  if (sheet == 0)
+    return abs(from_begin) < abs(to_end) ? std::vector<Direction>{{1, 0}} : std::vector<Direction>{{0, 1}};
   if (from_begin < 0 && to_end < 0) from_begin = -from_begin, to_end = -to_end;
   if (from_begin < 0 || to_end < 0) return {};
   return {{sqrt(to_end), sheet * sqrt(from_begin)}};

@@ -20,7 +20,8 @@ class Projective_curve {
   virtual ~Projective_curve() = default;
 
   /// Evaluates the curve at (c, s), of any length, with derivative.
-  [[nodiscard]] virtual Projective<Dual<long double>> at(const Dual<long double>& c, const Dual<long double>& s) const = 0;
+  [[nodiscard]] virtual Projective<Dual<long double>> at(const Dual<long double>& c,
+                                                         const Dual<long double>& s) const = 0;
   [[nodiscard]] virtual Projective<Dual<Real>> at(const Dual<Real>& c, const Dual<Real>& s) const = 0;
 
   /// Returns where the curve meets a plane, as far as the precision tells.
@@ -94,7 +95,8 @@ class Quartic_loop : public Projective_curve {
 
 /// Returns on which sheet the section's point in a plane lies: the value has the sign of the root, and is 0 if both
 /// sheets meet. The plane must meet the ruling u in one point, and that must be on the curve.
-[[nodiscard]] Real sheet_in_plane(const Ruled_section<Real>& section, const Projective<Real>& plane, const Direction& u);
+[[nodiscard]] Real sheet_in_plane(const Ruled_section<Real>& section, const Projective<Real>& plane,
+                                  const Direction& u);
 
 }  // namespace cgal_blend
 

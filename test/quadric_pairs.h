@@ -43,7 +43,9 @@ inline Parts parts(const Quadric_intersection& intersection) {
   return result;
 }
 
-inline double size(const Quadric_3::Point_3& p) { return std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}); }
+inline double size(const Quadric_3::Point_3& p) {
+  return std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+}
 
 /// True if |F| / |grad F| is below 1e-12 of the coordinates' size, or F what rounding its terms leaves: where the gradient
 /// vanishes.
@@ -123,7 +125,8 @@ class Affine_change {
 
  private:
   [[nodiscard]] int determinant() const {
-    return m_[0][0] * (m_[1][1] * m_[2][2] - m_[1][2] * m_[2][1]) - m_[0][1] * (m_[1][0] * m_[2][2] - m_[1][2] * m_[2][0]) +
+    return m_[0][0] * (m_[1][1] * m_[2][2] - m_[1][2] * m_[2][1]) -
+           m_[0][1] * (m_[1][0] * m_[2][2] - m_[1][2] * m_[2][0]) +
            m_[0][2] * (m_[1][0] * m_[2][1] - m_[1][1] * m_[2][0]);
   }
 
