@@ -54,10 +54,10 @@ struct Ruled_section {
 /// One loop of a smooth quartic on a doubly ruled quadric.
 class Quartic_loop : public Projective_curve {
  public:
-  /// The loop that meets every ruling u = (c, s) once; the discriminant is positive everywhere.
+  /// The loop that meets every ruling once; the discriminant is positive everywhere. (c, s) is u but for an affine map.
   /// \param sheet 1 or -1: the sign of the root
   Quartic_loop(const Ruled_section<Real>& section, int sheet);
-  /// The loop over the rulings u = c^2 begin + s^2 end, where the discriminant is positive between its roots `begin` and
+  /// The loop over the rulings u = c^2 begin + s^2 k end with a constant k, where the discriminant is positive between its roots `begin` and
   /// `end`, and [begin, end] > 0; c s has the sign of the root.
   Quartic_loop(const Ruled_section<Real>& section, const Direction& begin, const Direction& end);
 
