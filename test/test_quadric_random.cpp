@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve_counter.h"
+#include "quadric_checks.h"
 
 // Pairs at random: nearly all smooth quartics, whose components are counted by an oracle of its own.
 
@@ -7,14 +8,6 @@ namespace {
 
 using namespace cgal_blend;
 using namespace cgal_blend::test;
-
-Quadric_3 random_quadric(std::mt19937& random, int largest) {
-  std::uniform_int_distribution<int> entry(-largest, largest);
-  Integers coefficients{};
-  while (std::all_of(coefficients.begin(), coefficients.end(), [](int c) { return c == 0; }))
-    for (int& c : coefficients) c = entry(random);
-  return quadric(coefficients);
-}
 
 class Random_pairs : public testing::TestWithParam<int> {};
 
