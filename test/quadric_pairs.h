@@ -118,6 +118,15 @@ inline Quadric_3 random_quadric(std::mt19937& random, int largest) {
   return quadric(coefficients);
 }
 
+/// Few coefficients that are not 0, small ones: most pairs of these are degenerate in some way.
+inline Quadric_3 random_sparse_quadric(std::mt19937& random) {
+  std::uniform_int_distribution<int> entry(-2, 2), place(0, 9), number(1, 4);
+  Integers coefficients{};
+  while (std::all_of(coefficients.begin(), coefficients.end(), [](int c) { return c == 0; }))
+    for (int k = number(random); k > 0; --k) coefficients[static_cast<std::size_t>(place(random))] = entry(random);
+  return quadric(coefficients);
+}
+
 /// f a + g b.
 inline Quadric_3 mixed(const Quadric_3& a, const Quadric_3& b, int f, int g) {
   Quadric_3::Coefficients c;
