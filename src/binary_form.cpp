@@ -112,7 +112,7 @@ std::vector<std::pair<Real, int>> roots_by_factors(const Binary_form& p) {
       continue;
     }
     const auto found = certified_real_roots(to_real(factors[i]), Patience::long_enough);
-    if (!found) throw std::runtime_error("the roots of a polynomial are too close to each other");
+    if (!found) throw std::range_error("the roots of a polynomial are too close to each other");
     for (const Real& root : *found) roots.emplace_back(root, multiplicity);
   }
   std::sort(roots.begin(), roots.end());

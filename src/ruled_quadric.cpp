@@ -61,7 +61,7 @@ Surd_matrix member_in(const Gap& gap, const Surd_matrix& a, const Surd_matrix& b
     make_primitive(m);
     return m;
   }
-  throw std::runtime_error("the singular members of a pencil are too close to each other");
+  throw std::range_error("the singular members of a pencil are too close to each other");
 }
 
 using Real_vector = std::array<Real, 4>;
@@ -116,7 +116,7 @@ Point_and_member rational_point(const Gap& gap, const Surd_matrix& a, const Surd
   for (int bits = 2; bits < most_bits; ++bits)
     for (const auto& turn : turns)
       if (const auto found = round(point_on(middle, turn), bits, gap, a, b, is_central)) return *found;
-  throw std::runtime_error("no rational point was found on a quadric");
+  throw std::range_error("no rational point was found on a quadric");
 }
 
 // The two rulings through p: directions in its tangent plane on which the form vanishes.
