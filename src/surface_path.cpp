@@ -339,6 +339,7 @@ std::optional<Station> leaving_station(const Base_surface& surface, const Surfac
 }
 
 std::optional<Station> border_station_at(const Base_surface& surface, const Surface_point& at, double snap) {
+  if (surface.band_edge(at.face) != Blend_mesh::null_halfedge()) return station_at(surface, at, snap);
   const auto draft = Path_builder(surface, {snap}).on_border(at.face, surface.position(at));
   return draft ? std::optional<Station>(*draft) : std::nullopt;
 }
