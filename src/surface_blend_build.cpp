@@ -52,7 +52,8 @@ Surface_blend_result blend_surfaces(const Boundary_curve& first, const Boundary_
   if (options.on_fold != Fold_policy::ignore) {
     if (const auto place = find_fold(blend)) {
       result.factor = largest_safe_factor(blend);
-      if (options.on_fold == Fold_policy::refuse || result.factor == 0) {
+      const bool is_automatic = !options.sides[0].distance && !options.sides[1].distance;
+      if ((options.on_fold == Fold_policy::refuse && !is_automatic) || result.factor == 0) {
         result.diagnosis = folded(*place, result.factor);
         return result;
       }

@@ -17,7 +17,7 @@ namespace cgal_blend {
 
 /// What happens to a blend that folds over or cuts through itself.
 enum class Fold_policy {
-  refuse,  ///< `blend_folds`, with the largest factor of the distances that works
+  refuse,  ///< `blend_folds`, with the largest factor of the distances that works; automatic distances are shrunk
   shrink,  ///< the distances d are multiplied by the largest factor that works
   ignore   ///< nothing is checked
 };
