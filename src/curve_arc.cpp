@@ -118,6 +118,9 @@ Curve_point Curve_arc::at(double s) const {
   if (!curve) {
     result.point = isolated_point;
     result.derivative = {0, 0, 0};
+  } else if ((s == 0 && has_cusp[0]) || (s == 1 && has_cusp[1])) {
+    result = rounded(evaluate<Real>(*this, s));
+    result.derivative = {0, 0, 0};
   } else {
     const Affine_point<long double> p = evaluate<long double>(*this, s);
     result = stands(*this, p) ? rounded(p) : rounded(evaluate<Real>(*this, s));

@@ -24,6 +24,7 @@ struct Curve_arc {
   long double half_angle = 0;                     // between neighbours of these
   Quadric_3::Point_3 isolated_point;
   bool is_closed = false;
+  std::array<bool, 2> has_cusp{false, false};  // at the begin, at the end
   int degree = 0, multiplicity = 1;
 
   Curve_arc(const Quadric_3& a, const Quadric_3& b);

@@ -108,7 +108,10 @@ void add_common_lines(Intersection_builder& builder, const Base_conics& c) {
     builder.add_isolated_point(c.apex);
   else
     builder.add_singular_point(c.apex);
-  if (found.size() > 1) builder.add_remark(is_parallel ? "in parallel" : "through one point");
+  if (is_parallel)
+    builder.set_parallel();
+  else
+    builder.add_crossings("through one point");
 }
 
 // Pairs of planes through one line.

@@ -67,39 +67,36 @@ void add_planes_through_generator(Intersection_builder& builder, const Surd_matr
     crossing = {x, y};
   }
   builder.add_line(line[0], line[1], multiplicity);
+  builder.add_crossings();
 }
 
-void add_crossings(Intersection_builder& builder, const Line_points& on_line, const std::array<Plane_section, 2>& sections) {
+void add_crossings(Intersection_builder& builder, const Line_points& on_line,
+                   const std::array<Plane_section, 2>& sections) {
   const bool is_isolated = !sections[0].has_curve && !sections[1].has_curve;
-  std::size_t affine = 0;
   for (const Surd_vector& p : on_line.points) {
     if (is_isolated)
       builder.add_isolated_point(p);
     else
-      affine += builder.add_singular_point(p) ? 1 : 0;
-  }
-  if (!sections[0].has_curve || !sections[1].has_curve) return;
-  if (affine == 0) {
-    builder.add_remark("not meeting");
-    return;
+      builder.add_singular_point(p);
   }
   const bool is_tangent = on_line.is_touching && sections[0].is_smooth_conic && sections[1].is_smooth_conic;
-  builder.add_remark(std::string(is_tangent ? "touching" : "crossing") + " in " + count_in_words(affine) +
-                     (affine == 1 ? " point" : " points"));
+  builder.add_crossings(is_tangent ? "touching in one point" : "");
 }
 
 }  // namespace
 
 // With d0 and d2 of different signs and r = sqrt(-d0 d2), (d0 x - r z)(d0 x + r z) = -d0 d1 y^2 is solved by
-// d0 x + r z = c^2, d0 x - r z = -d0 d1 s^2, y = c s; here times 2 d0 r.
+// d0 x + r z = c^2, d0 x - r z = -d0 d1 s^2, y = c s; here times 2 d0 r, and with 2^k s in place of s, which makes a circle
+// of angles that are about even.
 Surd_matrix parametrize_conic(const Diagonal_form& conic) {
   std::array<std::size_t, 3> order{0, 1, 2};
   if (conic.diagonal[0].sign() == conic.diagonal[2].sign()) order = {0, 2, 1};
   const Surd &d0 = conic.diagonal[order[0]], &d1 = conic.diagonal[order[1]], &d2 = conic.diagonal[order[2]];
   const Surd r = sqrt(-(d0 * d2));
+  const Surd unit = round_to_bits(1 / sqrt(abs((d0 * d1).to_real())), 1);
   const Surd_vector &x = conic.basis[order[0]], &y = conic.basis[order[1]], &z = conic.basis[order[2]];
-  return {sum(scaled(x, r), scaled(z, d0)), scaled(y, Surd(2) * d0 * r),
-          scaled(sum(scaled(x, -r), scaled(z, d0)), d0 * d1)};
+  return {sum(scaled(x, r), scaled(z, d0)), scaled(y, Surd(2) * d0 * r * unit),
+          scaled(sum(scaled(x, -r), scaled(z, d0)), d0 * d1 * unit * unit)};
 }
 
 Plane_section add_plane_section(Intersection_builder& builder, const Surd_matrix& quadric, const Surd_matrix& basis,
@@ -108,14 +105,12 @@ Plane_section add_plane_section(Intersection_builder& builder, const Surd_matrix
   const bool has_one_sign = conic.positive == 0 || conic.negative == 0;
   CGAL_assertion(conic.rank > 0);
   if (conic.rank == 1) {
-    builder.add_line(in_space(basis, conic.basis[1]), in_space(basis, conic.basis[2]),
-                     2 * multiplicity);
+    builder.add_line(in_space(basis, conic.basis[1]), in_space(basis, conic.basis[2]), 2 * multiplicity);
     return {true, false};
   }
   if (conic.rank == 2 && has_one_sign) {
     // A point on the line that two planes share may be on a curve of the other one: add_crossings sees to it.
-    if (is_alone || !is_on_first_line(conic.basis[2]))
-      builder.add_isolated_point(in_space(basis, conic.basis[2]));
+    if (is_alone || !is_on_first_line(conic.basis[2])) builder.add_isolated_point(in_space(basis, conic.basis[2]));
     return {false, false};
   }
   if (conic.rank == 2) {
@@ -134,6 +129,7 @@ void add_planes(Intersection_builder& builder, const Surd_matrix& planes, const 
   const Surd_matrix line = form.kernel();
   if (form.rank == 1) {
     add_plane_section(builder, quadric, line, 2, true);
+    builder.add_crossings();
     return;
   }
   CGAL_assertion(form.rank == 2);

@@ -25,20 +25,18 @@ Exact_section cut(const Ruled_quadric& r, const Surd_matrix& m) {
           {of(r.d1, r.d1), Surd(2) * of(r.d1, r.q), of(r.q, r.q)}};
 }
 
-Binary_form discriminant(const Exact_section& s) {
-  return sum(product(s.b, s.b), scaled(product(s.a, s.c), -1));
-}
+Binary_form discriminant(const Exact_section& s) { return sum(product(s.b, s.b), scaled(product(s.a, s.c), -1)); }
 
 // Where the curve meets the plane at infinity: the rulings u.
 Binary_form at_infinity(const Ruled_quadric& r, const Exact_section& s) {
   const Binary_form f{r.p[3], r.d2[3]}, g{r.d1[3], r.q[3]};
-  return sum(product(s.a, product(g, g)),
-             sum(scaled(product(s.b, product(f, g)), -2), product(s.c, product(f, f))));
+  return sum(product(s.a, product(g, g)), sum(scaled(product(s.b, product(f, g)), -2), product(s.c, product(f, f))));
 }
 
 // Common powers of two go, so that the numbers of the section fit any precision's range of exponents.
 Ruled_section<Real> to_real(const Ruled_quadric& r, const Exact_section& s) {
-  Ruled_section<Real> result{to_projective(r.p), to_projective(r.d1), to_projective(r.d2), to_projective(r.q), {}, {}, {}};
+  Ruled_section<Real> result{
+      to_projective(r.p), to_projective(r.d1), to_projective(r.d2), to_projective(r.q), {}, {}, {}};
   Real largest = 0, longest = 0;
   for (const Binary_form* f : {&s.a, &s.b, &s.c})
     for (const Surd& x : *f) largest = std::max<Real>(largest, abs(x.to_real()));
@@ -54,7 +52,8 @@ Ruled_section<Real> to_real(const Ruled_quadric& r, const Exact_section& s) {
   return result;
 }
 
-std::vector<std::shared_ptr<const Quartic_loop>> find_loops(const Ruled_section<Real>& section, const Exact_section& exact) {
+std::vector<std::shared_ptr<const Quartic_loop>> find_loops(const Ruled_section<Real>& section,
+                                                            const Exact_section& exact) {
   const std::vector<Form_root> roots = real_roots(discriminant(exact));
   const std::vector<Real> d = cgal_blend::discriminant(section);
   if (roots.empty()) {
@@ -126,7 +125,7 @@ void add_skew_lines(Intersection_builder& builder, const Form_pencil& pencil) {
     builder.add_line(sum(scaled(r.p, c), scaled(r.d2, d)), sum(scaled(r.d1, c), scaled(r.q, d)), 1);
   for (const auto& [c, d] : exact_roots({s.a[k], s.b[k] + s.b[k], s.c[k]}))
     builder.add_line(sum(scaled(r.p, c), scaled(r.d1, d)), sum(scaled(r.d2, c), scaled(r.q, d)), 1);
-  builder.add_remark("not meeting");
+  builder.add_crossings();
 }
 
 }  // namespace cgal_blend

@@ -65,13 +65,9 @@ void add_crossings(Intersection_builder& builder, const Binary_form& gamma, cons
     return c * (c * (f[0] * c + f[1] * s) + f[2] * s * s) + f[3] * s * s * s;
   };
   const auto roots = exact_roots(gamma);
-  std::size_t affine = 0;
   for (const auto& [c, s] : roots)
-    affine += builder.add_singular_point(sum(scaled(line[0], at(alpha, c, s)), scaled(line[1], at(beta, c, s)))) ? 1 : 0;
-  const bool is_tangent = roots.size() == 1;
-  builder.add_remark(affine == 0  ? "not meeting"
-                     : is_tangent ? "touching in one point"
-                                  : "crossing in " + count_in_words(affine) + (affine == 1 ? " point" : " points"));
+    builder.add_singular_point(sum(scaled(line[0], at(alpha, c, s)), scaled(line[1], at(beta, c, s))));
+  builder.add_crossings(roots.size() == 1 ? "touching in one point" : "");
 }
 
 }  // namespace

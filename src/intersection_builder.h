@@ -18,6 +18,12 @@ namespace cgal_blend {
 /// finds the words for the type. Points and planes are (x, y, z, w).
 class Intersection_builder {
  public:
+  /// Where an arc ends: at infinity or in a cusp.
+  struct Break {
+    Real angle;  ///< of the parameter
+    bool is_infinite;
+  };
+
   Intersection_builder(const Quadric_3& a, const Quadric_3& b, const Intersection_options& options);
 
   /// Adds an irreducible curve with coordinates that are binary forms; what lies at infinity altogether is left out.
@@ -36,32 +42,33 @@ class Intersection_builder {
   void add_isolated_point(const Surd_vector& p);
   /// Adds a singular point of the curve, if it is not at infinity; returns whether it is not.
   bool add_singular_point(const Surd_vector& p);
-  /// Appends to the type: "crossing in two points".
-  void add_remark(const std::string& remark) { remarks_.push_back(remark); }
+  /// Appends to the type how often several curves meet: "crossing in two points".
+  /// \param how nothing: that is told by the singular points; else what to say instead of "crossing in ..."
+  void add_crossings(const std::string& how = "");
+  /// Says of several lines that they are parallel.
+  void set_parallel();
   /// Says that a surface is common.
   void set_surface(const std::string& name) { surface_ = name; }
 
   [[nodiscard]] Quadric_intersection finish(const std::string& segre) const;
 
  private:
-  struct Break {
-    Real angle;
-    bool is_infinite;
-  };
-
-  void note(const std::string& name, int multiplicity);
+  void note(const std::string& name, int degree, int multiplicity);
+  [[nodiscard]] bool has_several_curves() const;
   void add_arcs(const std::shared_ptr<const Projective_curve>& curve, std::vector<Break> breaks, int degree,
                 int multiplicity);
-  void add_arc(const std::shared_ptr<const Projective_curve>& curve, Break begin, Break end, int degree,
-               int multiplicity);
-  [[nodiscard]] std::vector<Real> entries_to_box(const Projective_curve& curve, const Break& begin,
-                                                 const Break& end) const;
+  // Angles where the curve meets the surface of the box, ascending.
+  [[nodiscard]] std::vector<Real> entries_to_box(const Projective_curve& curve) const;
   [[nodiscard]] std::string words() const;
 
   std::shared_ptr<const internal::Curve_arc> surfaces_;  // the arc that all others are copies of
   Intersection_options options_;
-  std::vector<std::pair<std::string, int>> curves_;  // name and how many, in order
-  std::vector<std::string> remarks_;
+  struct Curves {
+    std::string name;
+    int rank, count;  // the order in the type, and how many
+  };
+  std::vector<Curves> curves_;
+  std::string crossings_;
   std::string surface_;
   std::vector<Quadric_3::Point_3> singular_points_;
   std::vector<Intersection_curve> components_;

@@ -37,17 +37,20 @@ class Sampler {
  public:
   explicit Sampler(const internal::Curve_arc& arc) : arc_(arc) {}
 
-  std::vector<double> sample(std::size_t count) {
+  // The last sample is that at 1, also on closed curves.
+  std::vector<Sample> sample(std::size_t count) {
     const std::size_t spans = std::max<std::size_t>(arc_.is_closed ? count : count - 1, arc_.is_closed ? 3 : 1);
-    Sample from = at(0);
+    samples_.push_back(at(0));
     for (std::size_t k = 1; k <= spans; ++k) {
-      const Sample to = at(k == spans ? 1 : static_cast<double>(k) / static_cast<double>(spans));
-      parameters_.push_back(from.s);
+      const Sample from = samples_.back(),
+                   to = at(k == spans ? 1 : static_cast<double>(k) / static_cast<double>(spans));
       refine(from, to, most_halvings);
-      from = to;
+      samples_.push_back(to);
     }
-    if (!arc_.is_closed) parameters_.push_back(1);
-    return std::move(parameters_);
+    drop_coincident();
+    while (samples_.size() <= spans && divide_long_chords()) {
+    }
+    return std::move(samples_);
   }
 
  private:
@@ -57,21 +60,53 @@ class Sampler {
     return {s, p.point, arc_.at(s < 0.5 ? s + beside_cusp : s - beside_cusp).derivative};
   }
 
+  [[nodiscard]] static bool coincide(const Sample& x, const Sample& y) {
+    const double tiny = smallest_chord * std::max(size(x.point), size(y.point));
+    return CGAL::squared_distance(x.point, y.point) <= tiny * tiny;
+  }
+
   // The tangents at both ends and at the middle decide, so that a bend to and fro is not passed over.
   void refine(const Sample& from, const Sample& to, int halvings) {
     const Vector_3 chord = to.point - from.point;
-    const double tiny = smallest_chord * std::max(size(from.point), size(to.point));
     const Sample middle = at((from.s + to.s) / 2);
-    const bool is_tiny = chord.squared_length() <= tiny * tiny && (middle.point - from.point).squared_length() <= tiny * tiny;
-    if (halvings == 0 || is_tiny) return;
+    if (halvings == 0 || (coincide(from, to) && coincide(from, middle))) return;
     if (is_along(from.tangent, chord) && is_along(middle.tangent, chord) && is_along(to.tangent, chord)) return;
     refine(from, middle, halvings - 1);
-    parameters_.push_back(middle.s);
+    samples_.push_back(middle);
     refine(middle, to, halvings - 1);
   }
 
+  // Samples of a uniform parameter may be closer than rounding tells apart. The ends stay.
+  void drop_coincident() {
+    std::vector<Sample> kept{samples_.front()};
+    for (std::size_t k = 1; k + 1 < samples_.size(); ++k)
+      if (!coincide(kept.back(), samples_[k]) && !coincide(samples_[k], samples_.back())) kept.push_back(samples_[k]);
+    kept.push_back(samples_.back());
+    samples_ = std::move(kept);
+  }
+
+  // Halves the longest chords, down to half their length; false if there is nothing to halve.
+  bool divide_long_chords() {
+    const auto length = [&](std::size_t k) {
+      return std::sqrt(CGAL::squared_distance(samples_[k].point, samples_[k + 1].point));
+    };
+    double longest = 0;
+    for (std::size_t k = 0; k + 1 < samples_.size(); ++k) longest = std::max(longest, length(k));
+    std::vector<Sample> divided;
+    for (std::size_t k = 0; k + 1 < samples_.size(); ++k) {
+      divided.push_back(samples_[k]);
+      if (length(k) < longest / 2) continue;
+      const Sample middle = at((samples_[k].s + samples_[k + 1].s) / 2);
+      if (!coincide(samples_[k], middle) && !coincide(middle, samples_[k + 1])) divided.push_back(middle);
+    }
+    divided.push_back(samples_.back());
+    const bool has_grown = divided.size() > samples_.size();
+    samples_ = std::move(divided);
+    return has_grown;
+  }
+
   const internal::Curve_arc& arc_;
-  std::vector<double> parameters_;
+  std::vector<Sample> samples_;
 };
 
 }  // namespace
@@ -86,12 +121,17 @@ Curve_point Intersection_curve::at(double s) const { return arc_->at(s); }
 
 std::vector<double> Intersection_curve::sample_parameters(std::size_t count) const {
   if (is_isolated()) return {0};
-  return Sampler(*arc_).sample(std::max<std::size_t>(count, 2));
+  std::vector<double> parameters;
+  for (const Sample& sample : Sampler(*arc_).sample(std::max<std::size_t>(count, 2))) parameters.push_back(sample.s);
+  if (is_closed()) parameters.pop_back();
+  return parameters;
 }
 
 std::vector<Intersection_curve::Point_3> Intersection_curve::sample(std::size_t count) const {
+  if (is_isolated()) return {arc_->isolated_point};
   std::vector<Point_3> points;
-  for (const double s : sample_parameters(count)) points.push_back(at(s).point);
+  for (const Sample& sample : Sampler(*arc_).sample(std::max<std::size_t>(count, 2))) points.push_back(sample.point);
+  if (is_closed()) points.pop_back();
   return points;
 }
 

@@ -82,13 +82,16 @@ std::vector<Complex<Real>> find(const std::vector<Real>& p, int most_steps) {
   for (const Real& a : p) rough.push_back(static_cast<long double>(Real(a / largest)));
   std::vector<Complex<Real>> z;
   std::vector<Complex<long double>> guesses = first_guesses(rough);
-  for (int k = 0; k < most_steps_in_double && improve(rough, guesses) > 1e-32L; ++k) {}
+  for (int k = 0; k < most_steps_in_double && improve(rough, guesses) > 1e-32L; ++k) {
+  }
   for (const Complex<long double>& guess : guesses) {
     const bool finite = std::isfinite(guess.re) && std::isfinite(guess.im);
-    z.push_back({finite ? Real(guess.re) : Real(static_cast<double>(z.size()) + 0.5), finite ? Real(guess.im) : Real(1)});
+    z.push_back(
+        {finite ? Real(guess.re) : Real(static_cast<double>(z.size()) + 0.5), finite ? Real(guess.im) : Real(1)});
   }
   const Real enough = well_found * well_found;
-  for (int k = 0; k < most_steps && improve(p, z) > enough; ++k) {}
+  for (int k = 0; k < most_steps && improve(p, z) > enough; ++k) {
+  }
   return z;
 }
 

@@ -24,8 +24,7 @@ enum class Patience { brief, long_enough };
 [[nodiscard]] std::vector<Complex_root> complex_roots(const std::vector<Real>& p, Patience patience = Patience::brief);
 
 /// Returns the real roots, ascending, if the disks prove that all complex roots are distinct; else nothing.
-[[nodiscard]] std::optional<std::vector<Real>> certified_real_roots(const std::vector<Real>& p,
-                                                                    Patience patience);
+[[nodiscard]] std::optional<std::vector<Real>> certified_real_roots(const std::vector<Real>& p, Patience patience);
 
 }  // namespace cgal_blend
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "projective_curve.h"
 
+#include "polynomial_roots.h"
+
 #include <cstddef>
 
 namespace cgal_blend {
@@ -118,8 +120,35 @@ Real sheet_in_plane(const Ruled_section<Real>& section, const Projective<Real>& 
   return (c - a) * f * g + b * (f * f - g * g);
 }
 
+namespace {
+
+/// Point x + i y of the upper half-plane.
+struct Half_plane_point {
+  Real x, y;
+};
+
+// The hyperbolic midpoint between the complex roots of a quartic without real ones: a pair of conjugate roots is a
+// positive quadratic form, and with forms of one determinant for points, the midpoint is that of their sum.
+Half_plane_point midpoint_of_roots(const Form& quartic) {
+  Real a = 0, b = 0, c = 0;
+  for (const Complex_root& z : complex_roots(quartic)) {
+    if (z.im < 0) continue;
+    a += 1 / z.im;
+    b -= z.re / z.im;
+    c += (z.re * z.re + z.im * z.im) / z.im;
+  }
+  return {-b / a, sqrt(a * c - b * b) / a};
+}
+
+}  // namespace
+
+// Which parameters are even where the loop nearly meets another one is a matter of the discriminant's roots alone: they
+// are brought into a symmetric position.
 Quartic_loop::Quartic_loop(const Ruled_section<Real>& section, int sheet)
     : sheet_(sheet), exact_{section, {Real(1), Real(0)}, {Real(0), Real(1)}, discriminant(section), 1} {
+  const Half_plane_point centre = midpoint_of_roots(exact_.rest);
+  exact_.begin[1] = centre.x;
+  exact_.end[1] = centre.y;
   round();
 }
 
@@ -127,6 +156,10 @@ Quartic_loop::Quartic_loop(const Ruled_section<Real>& section, const Direction& 
     : exact_{section, {begin.c, begin.s}, {end.c, end.s}, {}, bracket(begin, end)} {
   // [begin, u] and [u, end] vanish at the ends and are positive between.
   exact_.rest = without(without(discriminant(section), {-begin.s, begin.c}), {end.s, -end.c});
+  const Real factor = sqrt(value(exact_.rest, begin) / value(exact_.rest, end));
+  for (Real& x : exact_.end) x *= factor;
+  for (Real& x : exact_.rest) x /= factor;
+  exact_.extent *= factor;
   round();
 }
 
@@ -151,13 +184,15 @@ void Quartic_loop::round() {
 
 template <class NT>
 Projective<Dual<NT>> Quartic_loop::evaluate(const Data<NT>& data, const Dual<NT>& c, const Dual<NT>& s) const {
-  Dual<NT> u0 = c, u1 = s, root;
+  Dual<NT> u0, u1, root;
   if (sheet_ == 0) {
     // The discriminant is (c s [begin, end])^2 times the rest: the root is smooth where it changes its sign.
     u0 = data.begin[0] * c * c + data.end[0] * s * s;
     u1 = data.begin[1] * c * c + data.end[1] * s * s;
     root = data.extent * c * s * sqrt(quadratic<NT>({data.rest[0], data.rest[1], data.rest[2]}, u0, u1));
   } else {
+    u0 = c;
+    u1 = data.begin[1] * c + data.end[1] * s;
     const Dual<NT> high = quadratic<NT>({data.rest[0], data.rest[1], data.rest[2]}, u0, u1);
     const Dual<NT> low = data.rest[3] * u0 + data.rest[4] * u1;
     root = NT(sheet_) * sqrt(high * u0 * u0 + low * u1 * u1 * u1);
@@ -168,8 +203,7 @@ Projective<Dual<NT>> Quartic_loop::evaluate(const Data<NT>& data, const Dual<NT>
   const bool is_opposite = b.value * root.value <= 0;
   const Dual<NT> v0 = is_opposite ? root - b : k, v1 = is_opposite ? a : -b - root;
   Projective<Dual<NT>> x;
-  for (std::size_t i = 0; i < 4; ++i)
-    x[i] = v0 * (t.p[i] * u0 + t.d2[i] * u1) + v1 * (t.d1[i] * u0 + t.q[i] * u1);
+  for (std::size_t i = 0; i < 4; ++i) x[i] = v0 * (t.p[i] * u0 + t.d2[i] * u1) + v1 * (t.d1[i] * u0 + t.q[i] * u1);
   return x;
 }
 
@@ -199,15 +233,20 @@ std::vector<Direction> Quartic_loop::meets_plane(const Projective<Real>& plane) 
 bool Quartic_loop::is_between(const Direction& u) const {
   if (sheet_ != 0) return true;
   const Real tiny("1e-50");  // u may be an end of the interval
-  const Real from_begin = bracket({exact_.begin[0], exact_.begin[1]}, u), to_end = bracket(u, {exact_.end[0], exact_.end[1]});
+  const Real from_begin = bracket({exact_.begin[0], exact_.begin[1]}, u),
+             to_end = bracket(u, {exact_.end[0], exact_.end[1]});
   return abs(from_begin) < tiny || abs(to_end) < tiny || (from_begin > 0) == (to_end > 0);
 }
 
 std::vector<Direction> Quartic_loop::parameter_of(const Direction& u, int sheet) const {
-  if (sheet_ != 0) return sheet == sheet_ ? std::vector<Direction>{u} : std::vector<Direction>{};
+  if (sheet_ != 0) {
+    if (sheet != sheet_) return {};
+    return {{u.c, (u.s - exact_.begin[1] * u.c) / exact_.end[1]}};
+  }
   const Direction begin{exact_.begin[0], exact_.begin[1]}, end{exact_.end[0], exact_.end[1]};
   Real from_begin = bracket(begin, u), to_end = bracket(u, end);
-  if (sheet == 0) return abs(from_begin) < abs(to_end) ? std::vector<Direction>{{1, 0}} : std::vector<Direction>{{0, 1}};
+  if (sheet == 0)
+    return abs(from_begin) < abs(to_end) ? std::vector<Direction>{{1, 0}} : std::vector<Direction>{{0, 1}};
   if (from_begin < 0 && to_end < 0) from_begin = -from_begin, to_end = -to_end;
   if (from_begin < 0 || to_end < 0) return {};
   return {{sqrt(to_end), sheet * sqrt(from_begin)}};

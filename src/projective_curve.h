@@ -20,7 +20,8 @@ class Projective_curve {
   virtual ~Projective_curve() = default;
 
   /// Evaluates the curve at (c, s), of any length, with derivative.
-  [[nodiscard]] virtual Projective<Dual<long double>> at(const Dual<long double>& c, const Dual<long double>& s) const = 0;
+  [[nodiscard]] virtual Projective<Dual<long double>> at(const Dual<long double>& c,
+                                                         const Dual<long double>& s) const = 0;
   [[nodiscard]] virtual Projective<Dual<Real>> at(const Dual<Real>& c, const Dual<Real>& s) const = 0;
 
   /// Returns where the curve meets a plane, as far as the precision tells.
@@ -53,10 +54,10 @@ struct Ruled_section {
 /// One loop of a smooth quartic on a doubly ruled quadric.
 class Quartic_loop : public Projective_curve {
  public:
-  /// The loop that meets every ruling u = (c, s) once; the discriminant is positive everywhere.
+  /// The loop that meets every ruling once; the discriminant is positive everywhere. (c, s) is u but for an affine map.
   /// \param sheet 1 or -1: the sign of the root
   Quartic_loop(const Ruled_section<Real>& section, int sheet);
-  /// The loop over the rulings u = c^2 begin + s^2 end, where the discriminant is positive between its roots `begin` and
+  /// The loop over the rulings u = c^2 begin + s^2 k end with a constant k, where the discriminant is positive between its roots `begin` and
   /// `end`, and [begin, end] > 0; c s has the sign of the root.
   Quartic_loop(const Ruled_section<Real>& section, const Direction& begin, const Direction& end);
 
@@ -94,7 +95,8 @@ class Quartic_loop : public Projective_curve {
 
 /// Returns on which sheet the section's point in a plane lies: the value has the sign of the root, and is 0 if both
 /// sheets meet. The plane must meet the ruling u in one point, and that must be on the curve.
-[[nodiscard]] Real sheet_in_plane(const Ruled_section<Real>& section, const Projective<Real>& plane, const Direction& u);
+[[nodiscard]] Real sheet_in_plane(const Ruled_section<Real>& section, const Projective<Real>& plane,
+                                  const Direction& u);
 
 }  // namespace cgal_blend
 

@@ -94,7 +94,8 @@ Quadric_intersection intersect_quadrics(const Quadric_3& a, const Quadric_3& b, 
   return builder.finish(segre);
 }
 
-Quadric_intersection intersect(const Quadric_3& quadric, const Quadric_3::Plane& plane, const Intersection_options& options) {
+Quadric_intersection intersect(const Quadric_3& quadric, const Quadric_3::Plane& plane,
+                               const Intersection_options& options) {
   CGAL_precondition(plane[0] != 0 || plane[1] != 0 || plane[2] != 0);
   Intersection_builder builder(quadric, Quadric_3::plane(plane), options);
   const Surd_matrix m = quadric_matrix(quadric);
@@ -103,6 +104,7 @@ Quadric_intersection intersect(const Quadric_3& quadric, const Quadric_3::Plane&
     builder.set_surface("common plane");
   else
     add_plane_section(builder, m, basis, 1, true);
+  builder.add_crossings();
   return builder.finish("");
 }
 

@@ -34,7 +34,8 @@ Surd_matrix quadric_matrix(const Quadric_3& quadric) {
 Quadric_3::Coefficients coefficients_of(const Surd_matrix& m) {
   const auto once = [&](std::size_t i) { return m[i][i].rational(); };
   const auto twice = [&](std::size_t i, std::size_t j) { return Rational(2 * m[i][j].rational()); };
-  return {once(0), once(1), once(2), twice(0, 1), twice(0, 2), twice(1, 2), twice(0, 3), twice(1, 3), twice(2, 3), once(3)};
+  return {once(0),     once(1),     once(2),     twice(0, 1), twice(0, 2),
+          twice(1, 2), twice(0, 3), twice(1, 3), twice(2, 3), once(3)};
 }
 
 }  // namespace cgal_blend

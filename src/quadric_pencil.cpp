@@ -112,8 +112,7 @@ std::string segre_symbol(const Form_pencil& pencil) {
     for (std::size_t k = 0; k < degree(factor) - degree(shared); ++k) multiple += std::to_string(i + 1);
     if (degree(shared) == 0) continue;
     const std::size_t rank =
-        degree(shared) > 1 ? pencil.a.size() - 2
-                           : diagonalize(member(pencil.a, pencil.b, shared[1], -shared[0])).rank;
+        degree(shared) > 1 ? pencil.a.size() - 2 : diagonalize(member(pencil.a, pencil.b, shared[1], -shared[0])).rank;
     for (std::size_t k = 0; k < degree(shared); ++k)
       grouped += blocks(static_cast<int>(i) + 1, pencil.a.size() - rank, degree(pencil.corank_2));
   }

@@ -12,10 +12,10 @@ namespace cgal_blend {
 
 /// The members c a - s b of a pencil of quadratic forms in `n` variables, and where they are singular.
 struct Form_pencil {
-  Surd_matrix a, b;                   ///< rational; b has the largest rank of all members
-  Binary_form determinant;            ///< of c a - s b; all zero if every member is singular
-  std::vector<Binary_form> factors;   ///< of the determinant, by multiplicity; none if that is zero
-  Binary_form corank_2;               ///< the largest common factor of all minors of size n - 1
+  Surd_matrix a, b;                  ///< rational; b has the largest rank of all members
+  Binary_form determinant;           ///< of c a - s b; all zero if every member is singular
+  std::vector<Binary_form> factors;  ///< of the determinant, by multiplicity; none if that is zero
+  Binary_form corank_2;              ///< the largest common factor of all minors of size n - 1
 };
 
 /// Returns the pencil that two rational forms span; they must not be proportional.

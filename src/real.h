@@ -11,8 +11,9 @@ using Rational = CGAL::Gmpq;
 
 /// Floating-point number of 120 decimal digits, on the stack. What is known to be nonzero exactly gets its sign here;
 /// near-degenerate input given in doubles (differences of 1e-16, squared and cubed on the way) leaves digits to spare.
-using Real = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<120, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<120, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 /// Returns the number rounded to nearest.
 [[nodiscard]] inline Real to_real(const Rational& x) {

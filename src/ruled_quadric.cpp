@@ -21,7 +21,8 @@ constexpr int most_bits = 350;
 // How far the member through the rounded point must stay from the singular ones, as a share of the gap.
 const Real margin("0.2");
 // Angles between the squares of either sign, to try: tangents of a quarter of them are rational and small.
-constexpr std::array<std::array<double, 2>, 5> turns{{{0.6435, 0.9273}, {2.2143, 0.6435}, {0.9273, 2.2143}, {0.2, 1.3}, {1.9, 2.6}}};
+constexpr std::array<std::array<double, 2>, 5> turns{
+    {{0.6435, 0.9273}, {2.2143, 0.6435}, {0.9273, 2.2143}, {0.2, 1.3}, {1.9, 2.6}}};
 
 /// Members between two singular ones: angles of (c, s).
 struct Gap {
@@ -69,7 +70,8 @@ Real_vector point_on(const Diagonal_form& form, const std::array<double, 2>& tur
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t side = form.diagonal[i].sign() > 0 ? 0 : 1;
     const double angle = turn[side];
-    const Real factor = (seen[side]++ == 0 ? cos(Real(angle)) : sin(Real(angle))) / sqrt(abs(form.diagonal[i].to_real()));
+    const Real factor =
+        (seen[side]++ == 0 ? cos(Real(angle)) : sin(Real(angle))) / sqrt(abs(form.diagonal[i].to_real()));
     for (std::size_t k = 0; k < 4; ++k) p[k] += factor * form.basis[i][k].to_real();
   }
   return p;
@@ -124,7 +126,9 @@ std::pair<Surd_vector, Surd_vector> rulings_through(const Surd_vector& p, const 
   const Surd_matrix m = restricted(form, rest);
   const auto directions = exact_roots({m[0][0], m[0][1] + m[0][1], m[1][1]});
   CGAL_assertion(directions.size() == 2);
-  const auto along = [&](const std::pair<Surd, Surd>& d) { return sum(scaled(rest[0], d.first), scaled(rest[1], d.second)); };
+  const auto along = [&](const std::pair<Surd, Surd>& d) {
+    return sum(scaled(rest[0], d.first), scaled(rest[1], d.second));
+  };
   return {along(directions[0]), along(directions[1])};
 }
 

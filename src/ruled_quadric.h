@@ -24,8 +24,8 @@ struct Ruled_search {
 /// \param determinant of the members c a - s b, not zero
 /// \param is_central the member's section with the plane at infinity must be regular
 /// Source: Dupont, Lazard, Lazard, Petitjean, Near-optimal parameterization of the intersection of quadrics I, section 5.
-[[nodiscard]] Ruled_search find_ruled_quadric(const Surd_matrix& a, const Surd_matrix& b, const Binary_form& determinant,
-                                              bool is_central);
+[[nodiscard]] Ruled_search find_ruled_quadric(const Surd_matrix& a, const Surd_matrix& b,
+                                              const Binary_form& determinant, bool is_central);
 
 }  // namespace cgal_blend
 

@@ -12,6 +12,7 @@ void add_boolean_commands(CLI::App& app, int& exit_status);
 void add_fillet_command(CLI::App& app, int& exit_status);
 void add_check_command(CLI::App& app, int& exit_status);
 void add_curvature_command(CLI::App& app, int& exit_status);
+void add_intersect_quadrics_command(CLI::App& app, int& exit_status);
 
 }  // namespace cgal_blend::cli
 

@@ -87,6 +87,11 @@ void check_curvature_path(const Output_options& output, const std::vector<std::s
   require_other_file("--curvature", output.curvature, others);
 }
 
+void check_curves_path(const std::string& path, const std::string& input) {
+  require_writable(path);
+  if (same_file(path, input)) throw usage_failure("--output would replace the input " + in_quotes(input));
+}
+
 void require_ply(const std::string& path) {
   if (lower_case_extension(path) != ".ply")
     throw usage_failure("cannot write " + in_quotes(path) +
