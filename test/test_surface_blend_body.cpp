@@ -101,12 +101,14 @@ TEST(Surface_blend_body, Tessellates_every_kind_of_quadric) {
                                 {{1, 2, 0, 0, 0, 0, 0, 0, -1, -1}, 0, {}, 0},
                                 {{1, 1, -1, 0, 0, 0, 0, 0, -4, -3}, 1, {}, 0}};  // two sheets about z = -2
   const Quadric_3 sphere = Quadric_3::sphere({0, 0, 6}, 1);
+  Blend_body_options fine;
+  fine.chord_tolerance = 3e-4;
   for (const Case& c : cases) {
     SCOPED_TRACE(&c - cases.data());
     const Quadric_3 quadric(c.coefficients);
     const Surface_blend blend =
         blend_of(section(quadric, plane(0, 0, 1, -c.cut)), section(sphere, plane(0, 0, 1, -5.7)));
-    const Blend_body body = make_blend_body({trimmed_quadric(quadric, c.far), trimmed_quadric(sphere)}, {{blend}});
+    const Blend_body body = make_blend_body({trimmed_quadric(quadric, c.far), trimmed_quadric(sphere)}, {{blend}}, fine);
     if (&c - cases.data() == 6) {
       EXPECT_EQ(body.diagnosis.status, Status::ok) << message(body.diagnosis);
     }
