@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cgal_blend/correspondence.h>
 
+#include "base_surface.h"
 #include "slide_pairs.h"
+
+#include <Eigen/Geometry>
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -14,8 +17,9 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr std::size_t pairs = 96;   // in which the direction and the start are sought
-constexpr std::size_t spans = 128;  // of the table of arc lengths
+constexpr std::size_t pairs = 96;           // in which the direction and the start are sought
+constexpr double nearly_concentric = 1e-3;  // distance of centroids, of the curves' extent
+constexpr std::size_t spans = 128;          // of the table of arc lengths
 
 /// Arc length of a curve as a function of its parameter.
 struct Length_table {
@@ -49,6 +53,34 @@ Points points_at_equal_lengths(const Boundary_curve& curve, const Parameter_map&
   for (std::size_t i = 0; i < pairs + (curve.is_closed() ? 0 : 1); ++i)
     points.push_back(curve.at(map(static_cast<double>(i) / pairs).parameter).point);
   return points;
+}
+
+/// Centroid and axis, twice the area vector, of a closed curve.
+struct Ring {
+  Vec centroid = Vec::Zero(), axis = Vec::Zero();
+
+  explicit Ring(const Points& points) {
+    for (const Point_3& p : points) centroid += to_vec(p) / static_cast<double>(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      axis += (to_vec(points[i]) - centroid).cross(to_vec(points[(i + 1) % points.size()]) - centroid);
+  }
+};
+
+/// Carries closed curve `p` to `q` without twist: its axis is turned into the line between the centroids and then into the
+/// axis of `q`, each time by the smallest rotation. Nearness of points themselves says little between curves at an angle.
+Points carried(const Points& p, const Points& q) {
+  Ring from(p), to(q);
+  Vec chord = to.centroid - from.centroid;
+  const double size = std::sqrt(from.axis.norm() + to.axis.norm());
+  if (chord.norm() < nearly_concentric * size) chord = from.axis;
+  if (!(from.axis.norm() > 0 && to.axis.norm() > 0)) return p;
+  if (from.axis.dot(chord) < 0) from.axis = -from.axis;
+  if (to.axis.dot(chord) < 0) to.axis = -to.axis;
+  const Eigen::Quaterniond turn =
+      Eigen::Quaterniond::FromTwoVectors(chord, to.axis) * Eigen::Quaterniond::FromTwoVectors(from.axis, chord);
+  Points result;
+  for (const Point_3& x : p) result.push_back(to_point(to.centroid + turn * (to_vec(x) - from.centroid)));
+  return result;
 }
 
 /// How the second curve runs: at fraction `shift` + or - that of the first.
@@ -147,8 +179,10 @@ Correspondence correspond(const Boundary_curve& first, const Boundary_curve& sec
     pair_by_parameter(options, result);
   } else {
     const Parameter_map map_a = by_length(a, result.closed), map_b = by_length(b, result.closed);
-    const Points p = points_at_equal_lengths(first, map_a);
-    Placement placement = nearest_placement(p, points_at_equal_lengths(second, map_b), result.closed, options.reversed);
+    const Points q = points_at_equal_lengths(second, map_b);
+    Points p = points_at_equal_lengths(first, map_a);
+    if (result.closed) p = carried(p, q);
+    Placement placement = nearest_placement(p, q, result.closed, options.reversed);
     if (result.closed && options.start) placement.shift = map_b.inverse(*options.start - std::floor(*options.start));
     const auto second_at = [&](double f) {
       const double g =

@@ -106,7 +106,9 @@ Blend_column Surface_blend::column(double s) const {
   const Point_3 inner_a = a.at.point + a.distance * a.towards, inner_b = b.at.point + b.distance * b.towards;
   Blend_column column;
   if (options_.middle)
-    column = {{a.at.point, inner_a, options_.middle(s), inner_b, b.at.point, Point_3(), Point_3()}, 4};
+    column = {{a.at.point, inner_a, options_.middle(s, CGAL::midpoint(inner_a, inner_b)), inner_b, b.at.point,
+               Point_3(), Point_3()},
+              4};
   else
     column = {{a.at.point, inner_a, inner_b, b.at.point, Point_3(), Point_3(), Point_3()}, 3};
   if (!options_.g2) return column;

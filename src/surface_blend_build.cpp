@@ -9,6 +9,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr int distance_samples = 64;
+constexpr double coincident = 1e-9;  // mean distance of the curves, of their length
 
 std::string side_name(int side) { return side == 0 ? "first side: " : "second side: "; }
 
@@ -48,6 +49,11 @@ Surface_blend_result blend_surfaces(const Boundary_curve& first, const Boundary_
   if (result.diagnosis = check_options(first, second, options); !result.ok()) return result;
   const Correspondence correspondence = correspond(first, second, options.correspondence);
   if (result.diagnosis = correspondence.diagnosis; !result.ok()) return result;
+  const bool needs_distance = !options.sides[0].distance || !options.sides[1].distance;
+  if (needs_distance && !(correspondence.mean_distance > coincident * correspondence.length[0])) {
+    result.diagnosis = {Status::curves_do_not_correspond, "the curves coincide, so there is nothing to bridge", {}, {}};
+    return result;
+  }
   Surface_blend blend(first, second, correspondence, options);
   if (options.on_fold != Fold_policy::ignore) {
     if (const auto place = find_fold(blend)) {

@@ -141,7 +141,9 @@ TEST(Surface_blend, Continues_curvature) {
   options.on_fold = Fold_policy::ignore;
   for (const bool with_middle : {false, true}) {
     if (with_middle)
-      options.middle = [](double s) { return Point_3(1.6 * std::cos(two_pi * s), 2 * std::sin(two_pi * s), 1.8); };
+      options.middle = [](double s, const Point_3&) {
+        return Point_3(1.6 * std::cos(two_pi * s), 2 * std::sin(two_pi * s), 1.8);
+      };
     const auto result = blend_surfaces(ellipsoid_section(), cylinder_section(), options);
     ASSERT_TRUE(result.ok()) << message(result.diagnosis);
     EXPECT_LT(worst_tangency(*result.blend, 0, normals_of_ellipsoid()), 1e-7);
@@ -177,6 +179,7 @@ TEST(Surface_blend, Refuses_by_name) {
   const Implicit_boundary ruling(cone, through_apex);
   EXPECT_EQ(blend_surfaces(ruling, ruling).diagnosis.status, Status::singular_boundary);
   EXPECT_EQ(blend_surfaces(ruling, cylinder_section()).diagnosis.status, Status::curves_do_not_correspond);
+  EXPECT_EQ(blend_surfaces(cylinder_section(), cylinder_section()).diagnosis.status, Status::curves_do_not_correspond);
   Surface_blend_options options;
   options.sides[0].distance = -1;
   EXPECT_EQ(blend_surfaces(ellipsoid_section(), cylinder_section(), options).diagnosis.status,

@@ -108,7 +108,8 @@ TEST(Surface_blend_body, Tessellates_every_kind_of_quadric) {
     const Quadric_3 quadric(c.coefficients);
     const Surface_blend blend =
         blend_of(section(quadric, plane(0, 0, 1, -c.cut)), section(sphere, plane(0, 0, 1, -5.7)));
-    const Blend_body body = make_blend_body({trimmed_quadric(quadric, c.far), trimmed_quadric(sphere)}, {{blend}}, fine);
+    const Blend_body body =
+        make_blend_body({trimmed_quadric(quadric, c.far), trimmed_quadric(sphere)}, {{blend}}, fine);
     if (&c - cases.data() == 6) {
       EXPECT_EQ(body.diagnosis.status, Status::ok) << message(body.diagnosis);
     }

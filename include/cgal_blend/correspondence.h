@@ -43,8 +43,9 @@ class Parameter_map {
 
 /// How points of two boundary curves are paired.
 enum class Matching {
-  parameter,   ///< the curves' own parameters
-  arc_length,  ///< equal fractions of arc length; direction, and start on closed curves, so that pairs are nearest
+  parameter,  ///< the curves' own parameters
+  arc_length,  ///< equal fractions of arc length; direction, and start on closed curves, so that pairs are nearest; closed
+               ///< curves are compared after carrying one to the other without twist
   least_twist  ///< as before, then slid along the curves until pairs are nearest in sum
 };
 

@@ -37,7 +37,8 @@ struct Surface_blend_options {
   Correspondence_options correspondence;
   bool g2 = false;  ///< also match the normal curvature; both surfaces must know their second fundamental form
   /// Middle control point C_0(s), once differentiable; closed if the curves are: bends the blend round an obstacle.
-  std::function<Point_3(double s)> middle;
+  /// `between` is the point halfway between the inner control points, which leaves it about as it is.
+  std::function<Point_3(double s, const Point_3& between)> middle;
   Fold_policy on_fold = Fold_policy::refuse;
 };
 

@@ -100,6 +100,11 @@ void check_step_path(const std::string& path, const std::vector<std::string>& ot
   require_other_file("--step", path, others);
 }
 
+void check_labels_path(const std::string& path, const std::vector<std::string>& others) {
+  require_writable(path);
+  require_other_file("--labels", path, others);
+}
+
 void require_ply(const std::string& path) {
   if (lower_case_extension(path) != ".ply")
     throw usage_failure("cannot write " + in_quotes(path) +

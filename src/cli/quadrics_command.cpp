@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -18,7 +19,7 @@ namespace cgal_blend::cli {
 namespace {
 
 struct Quadrics_options {
-  std::string scene, step;
+  std::string scene, step, labels;
   double step_tolerance = 1e-4;
   Output_options output;
 };
@@ -72,7 +73,20 @@ std::vector<Bspline_surface> fitted(const Scene& scene, double relative_toleranc
   return surfaces;
 }
 
-void check_step(const Quadrics_options& options) {
+/// One line per face: what it is a part of.
+void write_labels(const std::string& path, const Scene& scene, const Blend_body& body) {
+  std::ofstream out(path, std::ios::binary);
+  for (const Face_label& label : body.labels) {
+    out << name(label.kind);
+    if (label.kind == Face_label::Kind::surface) out << ' ' << scene.names[label.index];
+    if (label.kind == Face_label::Kind::blend) out << ' ' << label.index + 1;
+    out << '\n';
+  }
+  if (!out.flush()) throw Failure(Exit::usage, "output_unwritable", "cannot write " + in_quotes(path));
+}
+
+void check_paths(const Quadrics_options& options) {
+  if (!options.labels.empty()) check_labels_path(options.labels, {options.scene, options.output.mesh, options.step});
   if (options.step.empty()) return;
   if (!has_step()) throw usage_failure("--step: this program was built without Open CASCADE, which STEP files need");
   check_step_path(options.step, {options.scene, options.output.mesh, options.output.report});
@@ -88,7 +102,7 @@ void make_report(const Quadrics_options& options, const Scene& scene, const Blen
 }
 
 void blend_quadrics(const Quadrics_options& options, Report& report) {
-  check_step(options);
+  check_paths(options);
   report.input = {{"file", options.scene}};
   std::optional<Scene> scene;
   Blend_body body;
@@ -104,6 +118,7 @@ void blend_quadrics(const Quadrics_options& options, Report& report) {
   {
     const Timer timer(report.write);
     if (!options.step.empty()) write_step(options.step, surfaces);
+    if (!options.labels.empty()) write_labels(options.labels, *scene, body);
     write_mesh(options.output.mesh, body.mesh);
   }
   make_report(options, *scene, body, report);
@@ -122,6 +137,8 @@ void add_quadrics_command(CLI::App& app, int& exit_status) {
   command->add_option("SCENE", options->scene, "Surfaces and blends, as JSON")->type_name("JSON")->required();
   add_mesh_output(*command, options->output);
   command->add_option("--step", options->step, "Also write the blends as B-spline surfaces")->type_name("FILE.step");
+  command->add_option("--labels", options->labels, "Also write what each face is a part of, one line per face")
+      ->type_name("FILE");
   add_number(*command, "--step-tolerance", options->step_tolerance, 1e-9, 0.1, false,
              "Largest distance of the B-spline surfaces from the blends, of the longer curve's length");
   command->callback([=, &exit_status] {

@@ -70,10 +70,10 @@ Fold_policy read_policy(const Scene_value& json) {
   json.refuse("must be \"refuse\" or \"shrink\"");
 }
 
-std::function<Point_3(double)> read_middle(const Scene_value& json) {
-  const auto f = json.formulas(3, {"s"});
-  return [f](double s) {
-    const std::array<double, 1> values{s};
+std::function<Point_3(double, const Point_3&)> read_middle(const Scene_value& json) {
+  const auto f = json.formulas(3, {"s", "x", "y", "z"});
+  return [f](double s, const Point_3& p) {
+    const std::array<double, 4> values{s, p.x(), p.y(), p.z()};
     return Point_3(f[0](values), f[1](values), f[2](values));
   };
 }
