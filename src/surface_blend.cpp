@@ -11,6 +11,7 @@ namespace {
 constexpr double default_distance = 0.4;  // of the mean distance; an arc of 90 degrees has 0.39
 constexpr double difference_step = 1e-5;  // of the parameter s
 constexpr int sign_samples = 32;
+constexpr double least_mean_direction = 0.02;  // of unit vectors, below which they cancel out
 
 Vector_3 unit(const Vector_3& v) { return v / std::sqrt(v.squared_length()); }
 
@@ -77,7 +78,9 @@ Vector_3 Surface_blend::direction(int side, double s) const {
   return direction_at(static_cast<std::size_t>(side), boundary_point(side, s));
 }
 
-/// One sign for the whole curve, along which the direction is continuous: that which on average leads nearer.
+/// One sign for the whole curve, along which the direction is continuous. On closed curves that by which the mean
+/// direction leads to the other centroid: the curves may be of very different size, when nearness of points misleads.
+/// Where directions cancel out, as round a hole in a plane, that which leads nearer to the other points.
 void Surface_blend::choose_sign(std::size_t side) {
   if (options_.sides[side].flip) {
     sign_[side] = *options_.sides[side].flip ? -1 : 1;
@@ -86,14 +89,19 @@ void Surface_blend::choose_sign(std::size_t side) {
     return;
   }
   const double lambda = options_.sides[side].direction;
-  double sum = 0;
+  double nearer = 0;
+  Vector_3 mean(0, 0, 0), chord(0, 0, 0);
   for (int i = 0; i < sign_samples; ++i) {
     const double s = (i + 0.5) / sign_samples;
     const Boundary_point p = boundary_point(static_cast<int>(side), s);
     const Vector_3 to_other = boundary_point(1 - static_cast<int>(side), s).point - p.point;
-    if (to_other.squared_length() > 0) sum += (direction_at(side, p) - lambda * unit(p.derivative)) * unit(to_other);
+    const Vector_3 across = direction_at(side, p) - lambda * unit(p.derivative);
+    if (to_other.squared_length() > 0) nearer += across * unit(to_other);
+    mean = mean + across / sign_samples;
+    chord = chord + to_other;
   }
-  sign_[side] = sum < 0 ? -1 : 1;
+  const double onward = chord == CGAL::NULL_VECTOR ? 0 : mean * unit(chord);
+  sign_[side] = (is_closed() && std::abs(onward) > least_mean_direction ? onward : nearer) < 0 ? -1 : 1;
 }
 
 Surface_blend::End Surface_blend::end(std::size_t side, double s) const {

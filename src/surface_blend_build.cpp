@@ -9,6 +9,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr int distance_samples = 64;
+constexpr double safety = 0.97;      // of the largest factor, at which a blend may be pinched to a point
 constexpr double coincident = 1e-9;  // mean distance of the curves, of their length
 
 std::string side_name(int side) { return side == 0 ? "first side: " : "second side: "; }
@@ -57,7 +58,7 @@ Surface_blend_result blend_surfaces(const Boundary_curve& first, const Boundary_
   Surface_blend blend(first, second, correspondence, options);
   if (options.on_fold != Fold_policy::ignore) {
     if (const auto place = find_fold(blend)) {
-      result.factor = largest_safe_factor(blend);
+      result.factor = safety * largest_safe_factor(blend);
       const bool is_automatic = !options.sides[0].distance && !options.sides[1].distance;
       if ((options.on_fold == Fold_policy::refuse && !is_automatic) || result.factor == 0) {
         result.diagnosis = folded(*place, result.factor);

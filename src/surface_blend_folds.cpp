@@ -2,6 +2,7 @@
 #include <cgal_blend/surface_blend.h>
 
 #include "mesh_checks.h"
+#include "sample_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,8 @@ namespace cgal_blend {
 namespace {
 
 constexpr int halvings = 7;  // 1 % of the factor
+constexpr double fold_tolerance =
+    2e-4;  // of the longer curve: between columns they are halved until chords are so near
 
 /// Vertices row by row, two triangles to a cell.
 Blend_mesh grid_mesh(const std::vector<Point_3>& points, std::size_t columns, bool closed) {
@@ -44,10 +47,37 @@ std::optional<Point_3> find_turn(const std::vector<Point_3>& points, std::size_t
   return std::nullopt;
 }
 
+/// Points row by row, as `Surface_blend::sample`, with more columns where curves bend.
+std::vector<Point_3> adaptive_grid(const Surface_blend& blend, std::size_t least_columns, std::size_t rows,
+                                   std::size_t& columns) {
+  const double tolerance =
+      fold_tolerance * std::max(blend.correspondence().length[0], blend.correspondence().length[1]);
+  std::vector<double> start;
+  const double spans = static_cast<double>(blend.is_closed() ? least_columns : least_columns - 1);
+  for (std::size_t i = 0; static_cast<double>(i) <= spans; ++i) start.push_back(static_cast<double>(i) / spans);
+  const auto at = [&](double s) {
+    const Blend_column column = blend.column(blend.is_closed() && s == 1 ? 0 : s);
+    Point_row points;
+    for (std::size_t k = 0; k < rows; ++k)
+      points.push_back(column.at(static_cast<double>(k) / static_cast<double>(rows - 1)));
+    return points;
+  };
+  std::vector<double> parameters = refined_parameters(at, start, tolerance);
+  if (blend.is_closed()) parameters.pop_back();
+  columns = parameters.size();
+  std::vector<Point_3> points(columns * rows);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const Point_row row = at(parameters[i]);
+    for (std::size_t k = 0; k < rows; ++k) points[k * columns + i] = row[k];
+  }
+  return points;
+}
+
 }  // namespace
 
-std::optional<Point_3> find_fold(const Surface_blend& blend, std::size_t columns, std::size_t rows) {
-  const std::vector<Point_3> points = blend.sample(columns, rows);
+std::optional<Point_3> find_fold(const Surface_blend& blend, std::size_t least_columns, std::size_t rows) {
+  std::size_t columns = 0;
+  const std::vector<Point_3> points = adaptive_grid(blend, least_columns, rows, columns);
   if (const auto turn = find_turn(points, columns, blend.is_closed())) return turn;
   const Blend_mesh mesh = grid_mesh(points, columns, blend.is_closed());
   const auto pairs = internal::intersecting_pairs(mesh);

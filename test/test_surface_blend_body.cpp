@@ -217,6 +217,94 @@ TEST(Surface_blend_body, Joins_a_mesh_to_a_quadric) {
     EXPECT_LT(line_angle(blend.curve(0).at(s).normal, blend.normal(blend.parameter_map(0).inverse(s), 0)), 1e-7);
 }
 
+/// An ellipsoid and a cone with its apex, all coordinates times a factor.
+Blend_body scaled_body(const Rational& scale) {
+  const Rational q = scale * scale, none = 0;
+  const Quadric_3 ellipsoid({1, 2, 3, none, none, none, none, none, none, -6 * q});
+  const Quadric_3 cone({1, 2, -1, none, none, none, none, none, 12 * scale, -36 * q});  // apex at z = 6
+  Surface_blend_options options;
+  options.g2 = true;
+  const auto level = [&](const Rational& z) { return Quadric_3::Plane{0, 0, 1, -z * scale}; };
+  const Surface_blend blend = blend_of(section(ellipsoid, level(Rational(1) / 2)), section(cone, level(4)), options);
+  return make_blend_body({trimmed_quadric(ellipsoid), trimmed_quadric(cone)}, {{blend}});
+}
+
+TEST(Surface_blend_body, Does_not_depend_on_the_scale) {
+  const Blend_body unit_body = scaled_body(1);
+  expect_solid(unit_body);
+  for (const Rational& scale : {Rational(1) / 1024, Rational(1) / 1000, Rational(1000), Rational(1000000)}) {
+    const double factor = CGAL::to_double(scale);
+    SCOPED_TRACE(factor);
+    const Blend_body body = scaled_body(scale);
+    expect_solid(body);
+    EXPECT_NEAR(volume_of(body.mesh) / (factor * factor * factor), volume_of(unit_body.mesh),
+                1e-3 * volume_of(unit_body.mesh));
+  }
+}
+
+TEST(Surface_blend_body, Is_the_same_on_every_run) { EXPECT_TRUE(identical(scaled_body(1).mesh, scaled_body(1).mesh)); }
+
+TEST(Surface_blend_body, Converges_with_the_tolerance) {
+  const Quadric_3 low = Quadric_3::sphere({0, 0, 0}, 1), high = Quadric_3::sphere({0, 0, 4}, 1);
+  const Surface_blend blend = blend_of(section(low, plane(0, 0, 1, -0.6)), section(high, plane(0, 0, 1, -3.4)));
+  std::vector<double> volumes;
+  for (const double tolerance : {4e-3, 1e-3, 2.5e-4, 6.25e-5}) {
+    Blend_body_options options;
+    options.chord_tolerance = tolerance;
+    const Blend_body body = make_blend_body({trimmed_quadric(low), trimmed_quadric(high)}, {{blend}}, options);
+    expect_solid(body);
+    volumes.push_back(volume_of(body.mesh));
+  }
+  // The error is of the order of the tolerance, so a quarter of it at every step.
+  EXPECT_LT(std::abs(volumes[3] - volumes[2]), 0.5 * std::abs(volumes[1] - volumes[0]));
+  // Both spheres less a cap of height 0.4 each, and the blend of revolution by its profile.
+  double expected = 2 * (4. / 3 * pi_ - volume_of_cap(1, 0.4));
+  for (int i = 0; i < 4000; ++i) {
+    const double t = (i + 0.5) / 4000;
+    const Point_3 p = blend.at(0, t);
+    expected += pi_ * (p.x() * p.x() + p.y() * p.y()) * blend.column(0).derivative(t).z() / 4000;
+  }
+  EXPECT_NEAR(volumes[3], expected, 1e-3 * expected);
+}
+
+// A narrow cylinder over the middle of a wide cone, near by: the nearest way from its rim leads back over the cone.
+TEST(Surface_blend_body, Leaves_wide_surfaces_outwards) {
+  const Quadric_3 cone(std::array<double, 10>{1, 1, -16, 0, 0, 0, 0, 0, 0, 0});
+  const Quadric_3 cylinder = Quadric_3::cylinder({0, 0, 0}, {0, 0, 1}, Rational(1) / 4);
+  const Surface_blend blend = blend_of(section(cone, plane(0, 0, 1, -1)), section(cylinder, plane(0, 0, 1, -3)));
+  EXPECT_GT(blend.direction(0, 0.3).z(), 0);
+  expect_solid(make_blend_body({trimmed_quadric(cone), trimmed_quadric(cylinder, {plane(0, 0, 1, -5)})}, {{blend}}));
+}
+
+// An open sheet: half of a cylinder in two parts, swept to planes, made a plate.
+TEST(Surface_blend_body, Thickens_open_sheets) {
+  const Quadric_3 cylinder = Quadric_3::cylinder({0, 0, 0}, {0, 0, 1}, 1);
+  const auto arc = [&](double z) {
+    const auto f = [z](const auto& s) {
+      using std::cos;
+      using std::sin;
+      using T = std::decay_t<decltype(s)>;
+      return std::array<T, 3>{cos(T(pi_) * s), sin(T(pi_) * s), T(z)};
+    };
+    return Implicit_boundary(implicit_function(cylinder), space_curve(f, false));
+  };
+  Surface_blend_options options;
+  options.sides[0].distance = options.sides[1].distance = 0.5;
+  const Surface_blend blend = blend_of(arc(0), arc(1.5), options);
+  const auto swept = [&](const Quadric_3::Plane& p) { return swept_surface(implicit_function(cylinder), p); };
+  const std::vector<Trimmed_surface> surfaces{swept(plane(0, 0, -1, -1)), swept(plane(0, 0, 1, -2.5))};
+  const Blend_body sheet = make_blend_body(surfaces, {{blend}});
+  ASSERT_TRUE(sheet.ok()) << message(sheet.diagnosis);
+  EXPECT_FALSE(sheet.closed);
+  EXPECT_NEAR(area_of(sheet.mesh), 3.5 * pi_, 0.01 * 3.5 * pi_);
+  Blend_body_options plate;
+  plate.thickness = 0.2;
+  plate.chord_tolerance = 2e-4;
+  const Blend_body body = make_blend_body(surfaces, {{blend}}, plate);
+  expect_solid(body);
+  EXPECT_NEAR(volume_of(body.mesh), 3.5 * pi_ * 0.2, 0.01 * 3.5 * pi_ * 0.2);
+}
+
 TEST(Surface_blend_body, Refuses_by_name) {
   const Quadric_3 cylinder = Quadric_3::cylinder({0, 0, 0}, {0, 0, 1}, 1);
   const Surface_blend blend = blend_of(section(cylinder, plane(0, 0, 1, 0)), section(cylinder, plane(0, 0, 1, -3)));

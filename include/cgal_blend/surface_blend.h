@@ -103,8 +103,10 @@ class Surface_blend {
 struct Surface_blend_result {
   Diagnosis diagnosis;
   std::optional<Surface_blend> blend;  ///< if `ok`
-  double factor = 1;  ///< the largest one found to work, at most 1, if the blend folds; distances are multiplied by it
-                      ///< under `Fold_policy::shrink`
+  /// 0.97 times the largest one found to work if the blend folds, 0 if none does; under `Fold_policy::shrink` distances
+  /// have been multiplied by it.
+  double factor = 1;
+
   [[nodiscard]] bool ok() const noexcept { return diagnosis.ok(); }
 };
 
@@ -113,10 +115,10 @@ struct Surface_blend_result {
 [[nodiscard]] Surface_blend_result blend_surfaces(const Boundary_curve& first, const Boundary_curve& second,
                                                   const Surface_blend_options& options = {});
 
-/// Returns a place where the blend folds over itself, or its facets (columns x rows) cut each other, by exact predicates;
-/// nothing if there is none.
-[[nodiscard]] std::optional<Point_3> find_fold(const Surface_blend& blend, std::size_t columns = 96,
-                                               std::size_t rows = 16);
+/// Returns a place where the blend folds over itself, or its facets cut each other, by exact predicates; nothing if there
+/// is none. Looks at a grid of so many columns, more where curves bend, and rows.
+[[nodiscard]] std::optional<Point_3> find_fold(const Surface_blend& blend, std::size_t least_columns = 96,
+                                               std::size_t rows = 20);
 
 /// Returns the largest factor in (0, limit] of both distances, within 1 %, with which the blend does not fold; 0 if not
 /// even a hundredth of `limit` works.
