@@ -106,22 +106,38 @@ std::vector<std::pair<Real, int>> roots_by_factors(const Binary_form& p) {
   std::vector<std::pair<Real, int>> roots;
   for (std::size_t i = 0; i < factors.size(); ++i) {
     if (factors[i].size() < 2) continue;
+    const int multiplicity = static_cast<int>(i) + 1;
+    if (factors[i].size() == 3) {
+      for (const auto& root : quadratic_roots(factors[i])) roots.emplace_back(root.first, multiplicity);
+      continue;
+    }
     const auto found = certified_real_roots(to_real(factors[i]), Patience::long_enough);
-    if (!found) throw std::runtime_error("the roots of a polynomial are too close to each other");
-    for (const Real& root : *found) roots.emplace_back(root, static_cast<int>(i) + 1);
+    if (!found) throw std::range_error("the roots of a polynomial are too close to each other");
+    for (const Real& root : *found) roots.emplace_back(root, multiplicity);
   }
   std::sort(roots.begin(), roots.end());
   return roots;
 }
 
-std::vector<std::pair<Real, int>> affine_roots(const Binary_form& p) {
-  if (p.size() < 2) return {};
-  if (p.size() == 2) return {{-p[0].to_real() / p[1].to_real(), 1}};
-  if (p.size() == 3) return quadratic_roots(p);
-  const auto simple = certified_real_roots(to_real(p), Patience::brief);
-  if (!simple) return roots_by_factors(p);
+std::vector<std::pair<Real, int>> affine_roots(Binary_form p) {
+  int at_zero = 0;  // these roots are taken out: approximations near 0 are never relatively good
+  while (p.size() > 1 && p.front().is_zero()) {
+    p.erase(p.begin());
+    ++at_zero;
+  }
   std::vector<std::pair<Real, int>> roots;
-  for (const Real& root : *simple) roots.emplace_back(root, 1);
+  if (p.size() == 2) {
+    roots.emplace_back(-p[0].to_real() / p[1].to_real(), 1);
+  } else if (p.size() == 3) {
+    roots = quadratic_roots(p);
+  } else if (p.size() > 3) {
+    if (const auto simple = certified_real_roots(to_real(p), Patience::brief))
+      for (const Real& root : *simple) roots.emplace_back(root, 1);
+    else
+      roots = roots_by_factors(p);
+  }
+  if (at_zero > 0) roots.emplace_back(0, at_zero);
+  std::sort(roots.begin(), roots.end());
   return roots;
 }
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace cgal_blend {
@@ -52,6 +53,13 @@ Ruled_section<Real> to_real(const Ruled_quadric& r, const Exact_section& s) {
   return result;
 }
 
+Direction unit(const Direction& d) {
+  const Real length = sqrt(d.c * d.c + d.s * d.s);
+  return {d.c / length, d.s / length};
+}
+
+Real cosine(const std::array<Direction, 2>& d) { return d[0].c * d[1].c + d[0].s * d[1].s; }
+
 std::vector<std::shared_ptr<const Quartic_loop>> find_loops(const Ruled_section<Real>& section,
                                                             const Exact_section& exact) {
   const std::vector<Form_root> roots = real_roots(discriminant(exact));
@@ -60,14 +68,20 @@ std::vector<std::shared_ptr<const Quartic_loop>> find_loops(const Ruled_section<
     if (value(d, {1, 0}) < 0) return {};
     return {std::make_shared<const Quartic_loop>(section, 1), std::make_shared<const Quartic_loop>(section, -1)};
   }
-  std::vector<std::shared_ptr<const Quartic_loop>> loops;
+  // All roots are simple: the sign is found in the widest interval and alternates.
+  std::vector<std::array<Direction, 2>> intervals;
+  std::size_t widest = 0;
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    const Direction begin = roots[i].at;
-    Direction end = roots[(i + 1) % roots.size()].at;
-    if (i + 1 == roots.size()) end = {-end.c, -end.s};
-    if (value(d, {begin.c + end.c, begin.s + end.s}) > 0)
-      loops.push_back(std::make_shared<const Quartic_loop>(section, begin, end));
+    const Direction begin = unit(roots[i].at), end = unit(roots[(i + 1) % roots.size()].at);
+    intervals.push_back({begin, i + 1 == roots.size() ? Direction{-end.c, -end.s} : end});
+    if (cosine(intervals[i]) < cosine(intervals[widest])) widest = i;
   }
+  const auto& [begin, end] = intervals[widest];
+  const bool is_positive = value(d, {begin.c + end.c, begin.s + end.s}) > 0;
+  std::vector<std::shared_ptr<const Quartic_loop>> loops;
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+    if (((i + widest) % 2 == 0) == is_positive)
+      loops.push_back(std::make_shared<const Quartic_loop>(section, intervals[i][0], intervals[i][1]));
   return loops;
 }
 
@@ -79,7 +93,7 @@ struct Infinite_point {
 
 std::vector<Infinite_point> infinite_points(const Ruled_quadric& r, const Exact_section& exact,
                                             const Ruled_section<Real>& section) {
-  const Real certain("1e-50");  // of a sign; what is smaller is looked at exactly
+  const Real certain("1e-50"), noise("1e-100");  // a sign; what is smaller is looked at exactly, or has none
   const Binary_form w = at_infinity(r, exact);
   std::vector<Infinite_point> points;
   for (const Form_root& root : real_roots(w)) {
@@ -89,6 +103,8 @@ std::vector<Infinite_point> infinite_points(const Ruled_quadric& r, const Exact_
       const Binary_form turns = common_factor(w, discriminant(exact));
       const Real bend = value(cgal_blend::to_real(turns), root.at);
       is_turn = turns.size() > 1 && abs(bend) < certain;
+      if (!is_turn && abs(sheet) < noise)
+        throw std::range_error("a point at infinity is too close to where two arcs of the curve meet");
     }
     points.push_back({root.at, is_turn ? 0 : sheet < 0 ? -1 : 1});
   }

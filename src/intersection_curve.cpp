@@ -80,7 +80,8 @@ class Sampler {
   void drop_coincident() {
     std::vector<Sample> kept{samples_.front()};
     for (std::size_t k = 1; k + 1 < samples_.size(); ++k)
-      if (!coincide(kept.back(), samples_[k]) && !coincide(samples_[k], samples_.back())) kept.push_back(samples_[k]);
+      if (!coincide(kept.back(), samples_[k])) kept.push_back(samples_[k]);
+    while (kept.size() > 1 && coincide(kept.back(), samples_.back())) kept.pop_back();
     kept.push_back(samples_.back());
     samples_ = std::move(kept);
   }

@@ -20,6 +20,8 @@ const Real pi = boost::math::constants::pi<Real>();
 constexpr int most_bits = 350;
 // How far the member through the rounded point must stay from the singular ones, as a share of the gap.
 const Real margin("0.2");
+// What is left of coordinates that should vanish.
+const Real cancelled("1e-60");
 // Angles between the squares of either sign, to try: tangents of a quarter of them are rational and small.
 constexpr std::array<std::array<double, 2>, 5> turns{
     {{0.6435, 0.9273}, {2.2143, 0.6435}, {0.9273, 2.2143}, {0.2, 1.3}, {1.9, 2.6}}};
@@ -50,7 +52,8 @@ std::vector<Gap> gaps_between(const std::vector<Form_root>& roots) {
 
 // A member in the gap with short coefficients.
 Surd_matrix member_in(const Gap& gap, const Surd_matrix& a, const Surd_matrix& b) {
-  const Real x = cos(gap.middle()), y = sin(gap.middle());
+  const auto without_noise = [](const Real& v) { return abs(v) < cancelled ? Real(0) : v; };
+  const Real x = without_noise(cos(gap.middle())), y = without_noise(sin(gap.middle()));
   for (int bits = 2; bits < most_bits; ++bits) {
     const Surd c = round_to_bits(x, bits), s = round_to_bits(y, bits);
     if (!gap.holds(c, s)) continue;
@@ -58,22 +61,28 @@ Surd_matrix member_in(const Gap& gap, const Surd_matrix& a, const Surd_matrix& b
     make_primitive(m);
     return m;
   }
-  throw std::runtime_error("the singular members of a pencil are too close to each other");
+  throw std::range_error("the singular members of a pencil are too close to each other");
 }
 
 using Real_vector = std::array<Real, 4>;
 
 // A point of a doubly ruled quadric: equal lengths along squares of either sign.
 Real_vector point_on(const Diagonal_form& form, const std::array<double, 2>& turn) {
-  Real_vector p{0, 0, 0, 0};
+  Real_vector p{0, 0, 0, 0}, terms{0, 0, 0, 0};
   int seen[2] = {0, 0};
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t side = form.diagonal[i].sign() > 0 ? 0 : 1;
     const double angle = turn[side];
     const Real factor =
         (seen[side]++ == 0 ? cos(Real(angle)) : sin(Real(angle))) / sqrt(abs(form.diagonal[i].to_real()));
-    for (std::size_t k = 0; k < 4; ++k) p[k] += factor * form.basis[i][k].to_real();
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Real term = factor * form.basis[i][k].to_real();
+      p[k] += term;
+      terms[k] += abs(term);
+    }
   }
+  for (std::size_t k = 0; k < 4; ++k)
+    if (abs(p[k]) < cancelled * terms[k]) p[k] = 0;
   return p;
 }
 
@@ -107,7 +116,7 @@ Point_and_member rational_point(const Gap& gap, const Surd_matrix& a, const Surd
   for (int bits = 2; bits < most_bits; ++bits)
     for (const auto& turn : turns)
       if (const auto found = round(point_on(middle, turn), bits, gap, a, b, is_central)) return *found;
-  throw std::runtime_error("no rational point was found on a quadric");
+  throw std::range_error("no rational point was found on a quadric");
 }
 
 // The two rulings through p: directions in its tangent plane on which the form vanishes.

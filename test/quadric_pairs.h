@@ -4,11 +4,10 @@
 
 #include <cgal_blend/quadric_intersection.h>
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <random>
 #include <string>
 #include <utility>
@@ -65,30 +64,6 @@ inline double angle_deg(const Quadric_3::Vector_3& u, const Quadric_3::Vector_3&
   return std::acos(std::clamp(c, -1.0, 1.0)) * 180 / 3.14159265358979323846;
 }
 
-/// Checks what holds of every component: points on both quadrics, chords that turn little, ends where they belong.
-inline void expect_sound(const Quadric_3& a, const Quadric_3& b, const Quadric_intersection& result, double box,
-                         std::size_t samples = 24) {
-  for (const Intersection_curve& curve : result.components) {
-    const auto points = curve.sample(samples);
-    for (const auto& p : points) {
-      ASSERT_TRUE(is_on(a, p)) << p;
-      ASSERT_TRUE(is_on(b, p)) << p;
-    }
-    if (curve.is_isolated()) {
-      EXPECT_EQ(points.size(), 1u);
-      continue;
-    }
-    ASSERT_GE(points.size(), samples);
-    const std::size_t n = points.size();
-    for (std::size_t i = curve.is_closed() ? 0 : 1; i + (curve.is_closed() ? 0 : 1) < n; ++i)
-      ASSERT_LT(angle_deg(points[i] - points[(i + n - 1) % n], points[(i + 1) % n] - points[i]), 25);
-    if (curve.is_closed()) continue;
-    for (const auto& end : {points.front(), points.back()}) {
-      EXPECT_TRUE(is_near(result.singular_points, end, 1e-12) || std::abs(size(end) - box) < 1e-9 * box) << end;
-    }
-  }
-}
-
 /// Random affine map x -> M x + t with small integers, not singular: applied to a quadric's argument.
 class Affine_change {
  public:
@@ -133,6 +108,24 @@ class Affine_change {
   std::array<std::array<int, 3>, 3> m_;
   std::array<int, 3> t_;
 };
+
+/// Coefficients from -largest to largest, not all 0.
+inline Quadric_3 random_quadric(std::mt19937& random, int largest) {
+  std::uniform_int_distribution<int> entry(-largest, largest);
+  Integers coefficients{};
+  while (std::all_of(coefficients.begin(), coefficients.end(), [](int c) { return c == 0; }))
+    for (int& c : coefficients) c = entry(random);
+  return quadric(coefficients);
+}
+
+/// Few coefficients that are not 0, small ones: most pairs of these are degenerate in some way.
+inline Quadric_3 random_sparse_quadric(std::mt19937& random) {
+  std::uniform_int_distribution<int> entry(-2, 2), place(0, 9), number(1, 4);
+  Integers coefficients{};
+  while (std::all_of(coefficients.begin(), coefficients.end(), [](int c) { return c == 0; }))
+    for (int k = number(random); k > 0; --k) coefficients[static_cast<std::size_t>(place(random))] = entry(random);
+  return quadric(coefficients);
+}
 
 /// f a + g b.
 inline Quadric_3 mixed(const Quadric_3& a, const Quadric_3& b, int f, int g) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quadric_pairs.h"
+#include "quadric_checks.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quadric_pairs.h"
+#include "quadric_checks.h"
 
 #include <cmath>
 
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, Designs, testing::ValuesIn(cases), [](const auto
 });
 
 TEST(Quadric_intersection, of_sphere_and_cylinder_is_vivianis_curve) {
-  // x = 1 + cos t, y = sin t, z = 2 sin(t / 2) on the sphere of radius 2: length 2 * 7.640395578 = 4 sqrt(2) E(-1) * ...
+  // x = 1 + cos t, y = sin t, z = 2 sin(t / 2) on the sphere of radius 2.
   const Quadric_3 sphere = Quadric_3::sphere({0, 0, 0}, 4), cylinder = Quadric_3::cylinder({1, 0, 0}, {0, 0, 1}, 1);
   const Quadric_intersection result = sound(sphere, cylinder);
   EXPECT_EQ(result.segre, "[211]");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "quadric_pairs.h"
+#include "quadric_checks.h"
 
 // The real morphologies of regular pencils of quadrics in projective space, up to real projective maps and the choice of
 // the two that span the pencil: every Segre symbol with the signs that its canonical form leaves free, and with real or

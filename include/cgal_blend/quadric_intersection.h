@@ -84,6 +84,8 @@ struct Quadric_intersection {
 
 /// Intersects two quadrics. Type, singular points, and the number and kind of components are decided exactly.
 /// Components outside the box are kept if they are bounded, and left out if not.
+/// Throws `std::range_error` if the pair is so nearly degenerate that 120 digits do not tell roots apart (differences of
+/// about 1e-50, squared; doubles of one magnitude never come near).
 /// Sources: L. Dupont, D. Lazard, S. Lazard, S. Petitjean, Near-optimal parameterization of the intersection of quadrics
 /// I-III, J. Symb. Comput. 43 (2008), for the cases and the choice of a ruled quadric through a rational point; C. Tu,
 /// W. Wang, B. Mourrain, J. Wang, Using signature sequences to classify intersection curves of two quadrics, CAGD 26

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 
 namespace cgal_blend::cli {
 
@@ -43,6 +45,14 @@ Json intersection_json(const Quadric_intersection& intersection, std::size_t sam
           {"components", components}};
 }
 
+Quadric_intersection intersect(const Quadric_pair& pair) {
+  try {
+    return intersect_quadrics(pair.a, pair.b, {pair.box});
+  } catch (const std::range_error& error) {
+    throw Failure(Exit::blend, name(Status::not_supported), std::string("too nearly degenerate: ") + error.what());
+  }
+}
+
 void intersect(const Intersection_command_options& options, Report& report) {
   check_curves_path(options.curves, options.input);
   std::optional<Quadric_pair> pair;
@@ -51,7 +61,7 @@ void intersect(const Intersection_command_options& options, Report& report) {
     pair = read_quadric_pair(options.input);
   }
   report.input = {{"file", options.input}};
-  const Quadric_intersection intersection = intersect_quadrics(pair->a, pair->b, {pair->box});
+  const Quadric_intersection intersection = intersect(*pair);
   const std::string text = intersection_json(intersection, pair->samples).dump() + "\n";
   {
     const Timer timer(report.write);
