@@ -62,6 +62,9 @@ class Body_builder {
 
  private:
   Diagnosis finish(const Rims& rims) {
+    for (const Point_3& p : soup_.points)  // formulas need not be finite everywhere
+      if (!std::isfinite(p.x() + p.y() + p.z()))
+        return {Status::input_not_finite, "a surface leaves the finite", {}, {}};
     if (options_.capped && !(options_.thickness > 0))
       for (const auto& rim : rims)
         if (!fill(rim, cap_part(), soup_))

@@ -34,6 +34,12 @@ Diagnosis check_options(const Boundary_curve& first, const Boundary_curve& secon
   return {};
 }
 
+bool is_finite(const Surface_blend& blend) {
+  for (const Point_3& p : blend.sample(distance_samples, 5))
+    if (!std::isfinite(p.x() + p.y() + p.z())) return false;
+  return true;
+}
+
 /// The diagnosis of a blend that folds at a point.
 Diagnosis folded(const Point_3& point, double factor) {
   const std::string advice =
@@ -56,6 +62,10 @@ Surface_blend_result blend_surfaces(const Boundary_curve& first, const Boundary_
     return result;
   }
   Surface_blend blend(first, second, correspondence, options);
+  if (!is_finite(blend)) {
+    result.diagnosis = {Status::invalid_parameter, "a distance or the middle control point is not finite", {}, {}};
+    return result;
+  }
   if (options.on_fold != Fold_policy::ignore) {
     if (const auto place = find_fold(blend)) {
       result.factor = safety * largest_safe_factor(blend);

@@ -8,7 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <stdexcept>
+#include <string>
 
 namespace cgal_blend {
 
@@ -86,6 +87,14 @@ class Quadric_tessellator {
   }
 
   Diagnosis add_far_plane(const Far_plane& plane) {
+    try {
+      return add_section(plane);
+    } catch (const std::range_error& error) {
+      return refuse(Status::not_supported, std::string("a far plane is too nearly degenerate: ") + error.what());
+    }
+  }
+
+  Diagnosis add_section(const Far_plane& plane) {
     const auto is_zero = [](const Quadric_3::Rational& x) { return x == 0; };
     if (std::all_of(plane.begin(), plane.begin() + 3, is_zero))
       return refuse(Status::invalid_parameter, "a far plane has no normal");

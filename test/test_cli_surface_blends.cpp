@@ -141,8 +141,28 @@ TEST_F(Cli_surface_blends, Refuses_impossible_blends_by_name) {
   expect_refused(scene_with("\"distance\": 1", "\"distance\": 30"), 4, "folds");
   expect_refused(scene_with("\"distance\": 1", "\"direction\": 1"), 2, "between -1 and 1");
   expect_refused(scene_with(", \"far\": [[0, 0, -1, -2]]", ""), 4, "no far plane");
-  // A cone cut through its apex.
-  expect_refused(scene_with("[1, 1, 0, 0, 0, 0, 0, 0, 0, -1]", "[1, 1, -1, 0, 0, 0, 0, 0, 0, 0]"), 4, "");
+  // A plane that meets a cone in the apex alone.
+  expect_refused(scene_with("[1, 1, 0, 0, 0, 0, 0, 0, 0, -1]", "[1, 1, -1, 0, 0, 0, 0, 0, 0, 0]"), 4,
+                 "do not meet in a curve");
+}
+
+TEST_F(Cli_surface_blends, Refuses_singular_and_infinite_surfaces) {
+  const auto scene = [](const std::string& a, const std::string& side) {
+    return "{\"surfaces\": {\"a\": " + a +
+           R"(, "b": {"quadric": [1, 1, 0, 0, 0, 0, 0, 0, 0, -4], "far": [[0, 0, 1, -6]]}},
+      "blends": [{"first": {"surface": "a", )" +
+           side + R"(}, "second": {"surface": "b", "plane": [0, 0, 1, -4]}}]})";
+  };
+  // A sphere through the apex of a cone: the curve has a node there.
+  expect_refused(scene(R"({"quadric": [1, 1, -1, 0, 0, 0, 0, 0, 0, 0], "far": [[0, 0, -1, -2]]})",
+                       R"("cutter": [1, 1, 1, 0, 0, 0, -2, 0, 0, 0], "component": 0)"),
+                 4, "singular point");
+  expect_refused(
+      scene(
+          R"json({"patch": ["cos(u)", "sin(u)", "log(v)"], "domain": [0, 6.283185307179586, -1, 1], "closed": true})json",
+          R"("end": "end")"),
+      3, "finite");
+  expect_refused(scene_with("\"distance\": 1", "\"middle\": [\"x\", \"y\", \"log(s - 1)\"]"), 2, "not finite");
 }
 
 }  // namespace

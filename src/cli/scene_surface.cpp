@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 
 namespace cgal_blend::cli {
 
@@ -47,8 +48,12 @@ Quadric_intersection cut(const Quadric_3& quadric, const Scene_value& side) {
   Intersection_options options;
   if (side.has("box")) options.box = side["box"].number();
   if (!(options.box > 0)) side["box"].refuse("must be greater than 0");
-  return side.has("plane") ? intersect(quadric, read_plane(side["plane"]), options)
-                           : intersect_quadrics(quadric, read_quadric(side["cutter"]), options);
+  try {
+    return side.has("plane") ? intersect(quadric, read_plane(side["plane"]), options)
+                             : intersect_quadrics(quadric, read_quadric(side["cutter"]), options);
+  } catch (const std::range_error& error) {
+    refuse(Status::not_supported, side, std::string("too nearly degenerate: ") + error.what());
+  }
 }
 
 double squared_distance(const Intersection_curve& curve, const Point_3& p) {
