@@ -13,6 +13,17 @@ namespace cgal_blend {
 namespace {
 
 constexpr double largest_exponent = 20;
+constexpr double longest_true = 50;  // lengths of cylinders, in radii, up to which the map is true to angles
+
+// Beyond, lengths grow logarithmically, or exp would overflow for wires.
+double compressed(double z) {
+  const double more = std::abs(z) - longest_true;
+  return more > 0 ? std::copysign(longest_true + std::log1p(more), z) : z;
+}
+double expanded(double h) {
+  const double more = std::abs(h) - longest_true;
+  return more > 0 ? std::copysign(longest_true + std::expm1(more), h) : h;
+}
 
 /// An orthonormal frame with the given third axis.
 Eigen::Matrix3d frame_about(const Vec& axis) {
@@ -198,7 +209,7 @@ Quadric_chart::Point_2 Quadric_chart::to_plane(const Point_3& p) const {
   double factor = 1;
   switch (shape_) {
     case Shape::sphere: factor = 1 / (q.norm() - q.z()); break;
-    case Shape::cylinder: factor = std::exp(q.z() - middle_) / std::hypot(q.x(), q.y()); break;
+    case Shape::cylinder: factor = std::exp(compressed(q.z() - middle_)) / std::hypot(q.x(), q.y()); break;
     case Shape::one_sheet: factor = std::exp(exponent_ * std::asinh(q.z())) / std::hypot(q.x(), q.y()); break;
     case Shape::cone: factor = std::pow(std::hypot(q.x(), q.y()), exponent_ - 1); break;
     case Shape::square:
@@ -212,7 +223,7 @@ Point_3 Quadric_chart::to_surface(const Point_2& p) const {
   Vec q = Vec::Zero();
   switch (shape_) {
     case Shape::sphere: q = Vec(2 * x, 2 * y, r * r - 1) / (1 + r * r); break;
-    case Shape::cylinder: q = {x / r, y / r, middle_ + std::log(r)}; break;
+    case Shape::cylinder: q = {x / r, y / r, middle_ + expanded(std::log(r))}; break;
     case Shape::one_sheet: {
       const double h = std::log(r) / exponent_;
       q = {x / r * std::cosh(h), y / r * std::cosh(h), std::sinh(h)};

@@ -276,6 +276,19 @@ TEST(Surface_blend_body, Leaves_wide_surfaces_outwards) {
   expect_solid(make_blend_body({trimmed_quadric(cone), trimmed_quadric(cylinder, {plane(0, 0, 1, -5)})}, {{blend}}));
 }
 
+// Lengths of thousands of radii.
+TEST(Surface_blend_body, Keeps_long_wires) {
+  const Quadric_3 wire = Quadric_3::cylinder({0, 0, 0}, {0, 0, 1}, Rational(1) / 1000000),
+                  ball = Quadric_3::sphere({0, 0, 0}, 1);
+  const Surface_blend blend = blend_of(section(ball, plane(0, 0, 1, -0.9)), section(wire, plane(0, 0, 1, -2)));
+  const Blend_body body =
+      make_blend_body({trimmed_quadric(ball), trimmed_quadric(wire, {plane(0, 0, 1, -9)})}, {{blend}});
+  expect_solid(body);
+  for (const Face f : faces_of(body, Face_label::Kind::surface, 1))
+    for (const std::size_t v : corners_of(body.mesh, f))
+      EXPECT_NEAR(distance_to_axis(body.mesh.point(Vertex(v)), Point_3(0, 0, 0), Vector_3(0, 0, 1)), 1e-3, 1e-13);
+}
+
 // An open sheet: half of a cylinder in two parts, swept to planes, made a plate.
 TEST(Surface_blend_body, Thickens_open_sheets) {
   const Quadric_3 cylinder = Quadric_3::cylinder({0, 0, 0}, {0, 0, 1}, 1);
