@@ -75,6 +75,18 @@ Wording wording(Status status) noexcept {
     case S::blends_overlap: return {"blends_overlap", "Two blends run into each other", C::blend};
     case S::blend_collides: return {"blend_collides", "The blend runs into another part of the body", C::blend};
 
+    case S::singular_boundary:
+      return {"singular_boundary", "A boundary curve is not regular: it, or the surface along it, has a singular point",
+              C::blend};
+    case S::curves_do_not_correspond:
+      return {"curves_do_not_correspond", "The points of the two boundary curves cannot be paired", C::blend};
+    case S::no_boundary_curve:
+      return {"no_boundary_curve", "There is no such boundary curve on the surface", C::blend};
+    case S::surface_not_bounded:
+      return {"surface_not_bounded", "The part of the surface that is kept has no end; give it a far plane", C::blend};
+    case S::blend_folds:
+      return {"blend_folds", "The blend folds over or cuts through itself; smaller distances d may help", C::blend};
+
     case S::region_not_annular:
       return {"region_not_annular",
               "The faces between the linkage curves form no ring that could be mapped; stitching mode can do without",

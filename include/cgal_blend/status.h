@@ -44,6 +44,12 @@ enum class Status {
   no_rolling_ball,
   blends_overlap,
   blend_collides,
+  // Blends between surfaces.
+  singular_boundary,
+  curves_do_not_correspond,
+  no_boundary_curve,
+  surface_not_bounded,
+  blend_folds,
   // Mapping.
   region_not_annular,
   parametrization_folds,

@@ -13,6 +13,7 @@ void add_fillet_command(CLI::App& app, int& exit_status);
 void add_check_command(CLI::App& app, int& exit_status);
 void add_curvature_command(CLI::App& app, int& exit_status);
 void add_intersect_quadrics_command(CLI::App& app, int& exit_status);
+void add_quadrics_command(CLI::App& app, int& exit_status);
 
 }  // namespace cgal_blend::cli
 

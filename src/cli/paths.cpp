@@ -92,6 +92,19 @@ void check_curves_path(const std::string& path, const std::string& input) {
   if (same_file(path, input)) throw usage_failure("--output would replace the input " + in_quotes(input));
 }
 
+void check_step_path(const std::string& path, const std::vector<std::string>& others) {
+  const std::string extension = lower_case_extension(path);
+  if (extension != ".step" && extension != ".stp")
+    throw usage_failure("cannot write " + in_quotes(path) + ": the name must end in .step or .stp");
+  require_writable(path);
+  require_other_file("--step", path, others);
+}
+
+void check_labels_path(const std::string& path, const std::vector<std::string>& others) {
+  require_writable(path);
+  require_other_file("--labels", path, others);
+}
+
 void require_ply(const std::string& path) {
   if (lower_case_extension(path) != ".ply")
     throw usage_failure("cannot write " + in_quotes(path) +

@@ -22,6 +22,12 @@ void check_curvature_path(const Output_options& output, const std::vector<std::s
 /// Throws `Failure` (usage) if curves could not be written to `path`, or would replace the input. Nothing is created.
 void check_curves_path(const std::string& path, const std::string& input);
 
+/// Throws `Failure` (usage) if a STEP file could not be written to `path`, or would replace another file of the command.
+void check_step_path(const std::string& path, const std::vector<std::string>& others);
+
+/// Throws `Failure` (usage) if labels of faces could not be written to `path`, or would replace another file.
+void check_labels_path(const std::string& path, const std::vector<std::string>& others);
+
 /// Throws `Failure` (usage) unless the name ends in .ply.
 void require_ply(const std::string& path);
 
