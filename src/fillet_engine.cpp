@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fillet_engine.h"
 
-#include "pass_engine.h"
 #include "ancestry.h"
+#include "pass_engine.h"
 
 #include <algorithm>
 #include <unordered_set>

@@ -10,12 +10,7 @@
 #include "stitching.h"
 #include "stopwatch.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <unordered_map>
 
 namespace cgal_blend {
 

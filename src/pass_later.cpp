@@ -5,12 +5,8 @@
 #include "edge_finder.h"
 #include "refusal.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <unordered_map>
 
 namespace cgal_blend {
 

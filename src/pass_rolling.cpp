@@ -5,12 +5,7 @@
 #include "map_region.h"
 #include "refusal.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <unordered_map>
 
 namespace cgal_blend {
 
