@@ -132,7 +132,7 @@ void add_smooth_quartic(Intersection_builder& builder, const Form_pencil& pencil
 // On a doubly ruled quadric the other one's equation is a product f(u) g(v): its roots are the lines of either family.
 void add_skew_lines(Intersection_builder& builder, const Form_pencil& pencil) {
   const Ruled_search search = find_ruled_quadric(pencil.a, pencil.b, pencil.determinant, false);
-  CGAL_assertion(search.quadric);
+  CGAL_assertion(search.quadric.has_value());
   const Ruled_quadric& r = *search.quadric;
   const Exact_section s = cut(r, are_proportional(pencil.a, r.form) ? pencil.b : pencil.a);
   const Binary_form& f = !is_zero(s.a) ? s.a : !is_zero(s.b) ? s.b : s.c;
