@@ -96,6 +96,8 @@ class Row_cutter {
     }
   }
 
+  [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
+
   /// The first crossing of a step.
   [[nodiscard]] std::optional<std::pair<Vec, Station>> cross(const Vec& a, const Vec& b) const {
     const Kernel::Segment_3 step(to_point(a), to_point(b));
@@ -303,8 +305,7 @@ class Strip_ender {
     }
     stations.push_back(beyond(1));
     std::size_t stuck = 0;
-    const std::vector<Face> reached = faces_beyond(surface_, end_);
-    const std::unordered_set<Face> beyond_faces(reached.begin(), reached.end());
+    const std::unordered_set<Face> beyond_faces(cutter.faces().begin(), cutter.faces().end());
     const std::size_t last = result_.end.last[rows_.size() / 2];
     const Vec ruling = positions_[end_.end == 1 ? last + 1 : last - 1].center - positions_[last].center;
     result_.end.path = open_path(surface_, stations, {snap_ / 16, true, ruling, &beyond_faces}, stuck);

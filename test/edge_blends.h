@@ -24,6 +24,17 @@ namespace cgal_blend::test {
 inline double spandrel(double r) { return (1 - pi / 4) * r * r; }
 inline double spandrel_centroid(double r) { return r * (5.0 / 6 - pi / 4) / (1 - pi / 4); }
 
+/// Square boss of side 8 on a plate of side 20, tops at z = 6 and z = 0; or the same as a pit.
+inline Blend_mesh boss_or_pit(bool pit) {
+  Blend_mesh result;
+  const Blend_mesh plate = box({-10, -10, -10}, {10, 10, 0});
+  const Blend_mesh other = pit ? box({-4, -4, -6}, {4, 4, 3}) : box({-4, -4, -5}, {4, 4, 6});
+  const auto outcome = unchecked::corefine_and_fillet(
+      plate, other, pit ? Boolean_operation::difference : Boolean_operation::union_, result, options_of(0));
+  EXPECT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  return result;
+}
+
 /// Expects a radius to be refused by name with the largest radius that works, that this one does, and 1.02 times it does
 /// not. Returns it.
 inline std::optional<double> expect_largest_radius(const Blend_mesh& mesh, const std::vector<Edge>& edges, double radius,

@@ -271,6 +271,13 @@ inline Vec3 random_direction(std::mt19937& random) {
   return {std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z};
 }
 
+/// The hull of so many points at random on the unit sphere.
+inline Polytope random_hull(unsigned points, std::mt19937& random) {
+  std::vector<Vec3> on_sphere;
+  for (unsigned k = 0; k < points; ++k) on_sphere.push_back(random_direction(random));
+  return hull_of(on_sphere);
+}
+
 // Prisms over any simple outline.
 
 /// Right prism over a simple polygon, counterclockwise, whose sides are cut at all the heights, in rising order. The caps

@@ -238,16 +238,6 @@ TEST(Fillet_corners, MixedCornersOfABracketOneByOne) {
   expect_change(blend_all(mesh, {{edges, r}}, fine), expected, 5e-3);
 }
 
-Blend_mesh boss_or_pit(bool pit) {
-  Blend_mesh result;
-  const Blend_mesh plate = box({-10, -10, -10}, {10, 10, 0});
-  const Blend_mesh other = pit ? box({-4, -4, -6}, {4, 4, 3}) : box({-4, -4, -5}, {4, 4, 6});
-  const auto outcome = unchecked::corefine_and_fillet(
-      plate, other, pit ? Boolean_operation::difference : Boolean_operation::union_, result, options_of(0));
-  EXPECT_TRUE(outcome.ok()) << message(outcome.diagnosis);
-  return result;
-}
-
 /// Condition on both ends: within the square of the boss or pit, its edges.
 std::vector<Edge> edges_of_square(const Blend_mesh& mesh, double low, double high) {
   return edges_where(mesh, [&](const Point_3& p, const Point_3& q) {
@@ -737,9 +727,7 @@ TEST(Fillet_corners, HullsAtRandom) {
   Tally tally;
   for (unsigned seed = 0; seed < 4; ++seed) {
     std::mt19937 random(100 + seed);
-    std::vector<Vec3> points;
-    for (unsigned k = 0; k < 8 + 4 * seed; ++k) points.push_back(random_direction(random));
-    const Polytope body = hull_of(points);
+    const Polytope body = random_hull(8 + 4 * seed, random);
     const Blend_mesh mesh = body.mesh();
     for (const double share : {0.05, 0.15, 0.4})
       for (const double r : {0.03}) {
@@ -760,9 +748,7 @@ TEST(Fillet_corners, HullsAtRandom) {
 TEST(Fillet_corners, OneEdgeOfAHull) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     std::mt19937 random(100 + seed);
-    std::vector<Vec3> points;
-    for (unsigned k = 0; k < 8 + 4 * seed; ++k) points.push_back(random_direction(random));
-    const Polytope body = hull_of(points);
+    const Polytope body = random_hull(8 + 4 * seed, random);
     const Blend_mesh mesh = body.mesh();
     for (const Polytope_edge& e : body.edges()) {
       if (body.turn(e) < pi / 9 || body.length(e) < 0.5) continue;

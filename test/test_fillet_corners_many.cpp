@@ -316,9 +316,7 @@ TEST(Fillet_corners_many, HullsAtRandom) {
   std::size_t several = 0;  // hulls whose corners have more than three edges
   for (unsigned seed = 0; seed < 12; ++seed) {
     std::mt19937 random(200 + seed);
-    std::vector<Vec3> points;
-    for (unsigned k = 0; k < 8 + seed % 7; ++k) points.push_back(random_direction(random));
-    const Polytope body = hull_of(points);
+    const Polytope body = random_hull(8 + seed % 7, random);
     const Blend_mesh mesh = body.mesh();
     several += largest_degree(mesh) > 3 ? 1 : 0;
     for (const double r : {0.005, 0.02}) {
@@ -342,9 +340,7 @@ TEST(Fillet_corners_many, LargeBallsInHullsAtRandom) {
   int tried = 0, done = 0;
   for (unsigned seed = 0; seed < 8; ++seed) {
     std::mt19937 random(300 + seed);
-    std::vector<Vec3> points;
-    for (unsigned k = 0; k < 8 + seed % 7; ++k) points.push_back(random_direction(random));
-    const Polytope body = hull_of(points);
+    const Polytope body = random_hull(8 + seed % 7, random);
     const Blend_mesh mesh = body.mesh();
     for (const double r : {0.03, 0.08, 0.15}) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " + std::to_string(r));

@@ -135,17 +135,6 @@ TEST(Fillet_open, ConcaveEdgesOfBrackets) {
   }
 }
 
-/// Square boss of side 8 on a plate of side 20, tops at z = 6 and z = 0; or the same as a pit.
-Blend_mesh boss_or_pit(bool pit) {
-  Blend_mesh result;
-  const Blend_mesh plate = box({-10, -10, -10}, {10, 10, 0});
-  const Blend_mesh other = pit ? box({-4, -4, -6}, {4, 4, 3}) : box({-4, -4, -5}, {4, 4, 6});
-  const auto outcome = unchecked::corefine_and_fillet(
-      plate, other, pit ? Boolean_operation::difference : Boolean_operation::union_, result, options_of(0));
-  EXPECT_TRUE(outcome.ok()) << message(outcome.diagnosis);
-  return result;
-}
-
 struct Kind {
   const char* what;
   Blend_mesh mesh;
