@@ -87,6 +87,37 @@ Wording wording(Status status) noexcept {
     case S::blend_folds:
       return {"blend_folds", "The blend folds over or cuts through itself; smaller distances d may help", C::blend};
 
+    case S::plane_misses_mesh: return {"plane_misses_mesh", "The plane does not cut the mesh", C::blend};
+    case S::plane_meets_vertex:
+      return {"plane_meets_vertex",
+              "The plane runs through a vertex or along a face of the mesh, so the cut is not a clean curve; move it a "
+              "little",
+              C::blend};
+    case S::section_not_closed:
+      return {"section_not_closed", "The plane cuts the mesh where it is open, so the opening has no closed rim",
+              C::blend};
+    case S::opening_not_planar:
+      return {"opening_not_planar", "The holes of the mesh do not lie in one plane", C::blend};
+    case S::openings_overlap:
+      return {"openings_overlap", "Openings of one side cross or touch each other", C::blend};
+    case S::planes_too_steep:
+      return {"planes_too_steep", "The angle between the two planes is too large", C::blend};
+    case S::sides_interpenetrate:
+      return {"sides_interpenetrate",
+              "The kept parts reach into each other or beyond the planes, so there is no room for a transition",
+              C::blend};
+    case S::openings_not_joined:
+      return {"openings_not_joined", "The transition surface does not lead from the one side to the other", C::blend};
+
+    case S::spot_off_surface: return {"spot_off_surface", "The spot does not lie on the mesh", C::blend};
+    case S::radius_exceeds_cut_locus:
+      return {"radius_exceeds_cut_locus",
+              "The radius is too large: shortest paths from the spot meet again on the far side of it", C::blend};
+    case S::region_meets_border:
+      return {"region_meets_border", "The region around the spot reaches a hole or a border of the mesh", C::blend};
+    case S::curve_crosses_itself: return {"curve_crosses_itself", "A contact curve crosses or touches itself", C::blend};
+    case S::regions_overlap: return {"regions_overlap", "The regions of the two ends overlap", C::blend};
+
     case S::region_not_annular:
       return {"region_not_annular",
               "The faces between the linkage curves form no ring that could be mapped; stitching mode can do without",

@@ -50,6 +50,21 @@ enum class Status {
   no_boundary_curve,
   surface_not_bounded,
   blend_folds,
+  // Fusion of cut meshes.
+  plane_misses_mesh,
+  plane_meets_vertex,
+  section_not_closed,
+  opening_not_planar,
+  openings_overlap,
+  planes_too_steep,
+  sides_interpenetrate,
+  openings_not_joined,
+  // Bridges.
+  spot_off_surface,
+  radius_exceeds_cut_locus,
+  region_meets_border,
+  curve_crosses_itself,
+  regions_overlap,
   // Mapping.
   region_not_annular,
   parametrization_folds,
