@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slab_sizing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cgal_blend {
+
+namespace {
+
+// Where rings are too coarse to tell the shape: so many edges over the height and around each ring at least.
+constexpr double edges_over_height = 4, edges_around = 16;
+
+/// Sides of a ring with the edge length wanted at each; coarse ones are capped.
+std::vector<Weighted_segment> wanted(const std::vector<Ring>& rings, double height, const Slab_options& options) {
+  std::vector<Weighted_segment> result;
+  for (const Ring& ring : rings) {
+    std::vector<Weighted_segment> sides = sides_of({ring});
+    double sum = 0, squares = 0;
+    for (Weighted_segment& s : sides) {
+      s.weight = std::sqrt(CGAL::squared_distance(s.source, s.target));
+      sum += s.weight;
+      squares += s.weight * s.weight;
+    }
+    // The mean by length: short sides are many, but cover little.
+    const double cap =
+        options.edge > 0 ? options.edge : std::min({squares / sum, sum / edges_around, height / edges_over_height});
+    for (Weighted_segment& s : sides) s.weight = std::min(s.weight, cap);
+    result.insert(result.end(), sides.begin(), sides.end());
+  }
+  return result;
+}
+
+}  // namespace
+
+Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth)
+    : trees_{Segment_tree(wanted(psi.rings(0), psi.height(), options), growth),
+             Segment_tree(wanted(psi.rings(1), psi.height(), options), growth)},
+      growth_(growth),
+      height_(psi.height()),
+      smallest_(std::numeric_limits<double>::infinity()),
+      largest_(0) {
+  for (const std::size_t side : {0, 1})
+    for (const Weighted_segment& s : wanted(psi.rings(side), height_, options)) {
+      smallest_ = std::min(smallest_, s.weight);
+      largest_ = std::max(largest_, s.weight);
+    }
+  largest_ *= std::max(1.0, options.grading);
+}
+
+double Slab_sizing::at_plane(std::size_t side, const Point_2& p) const { return std::min(largest_, trees_[side](p)); }
+
+double Slab_sizing::operator()(const Point_3& p) const {
+  const Point_2 q(p.x(), p.y());
+  const double low = growth_ * p.z(), high = growth_ * (height_ - p.z());
+  double size = largest_;
+  if (low < size) size = std::min(size, trees_[0](q) + low);
+  if (high < size) size = std::min(size, trees_[1](q) + high);
+  return size;
+}
+
+}  // namespace cgal_blend

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_SLAB_SIZING_H
+#define CGAL_BLEND_SRC_SLAB_SIZING_H
+
+#include "segment_tree.h"
+#include "slab_tessellation.h"
+
+#include <array>
+
+namespace cgal_blend {
+
+/// The edge length wanted at a point of the slab: that of the rings' sides on them, growing with the distance from them at a
+/// bounded rate, so that a short side makes its surroundings fine and not the whole.
+class Slab_sizing {
+ public:
+  /// \param growth length per length, > 0
+  Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth);
+
+  [[nodiscard]] double operator()(const Point_3& p) const;
+  /// The same in the plane of a side, of its rings alone.
+  [[nodiscard]] double at_plane(std::size_t side, const Point_2& p) const;
+  [[nodiscard]] double smallest() const { return smallest_; }
+  [[nodiscard]] double largest() const { return largest_; }
+
+ private:
+  std::array<Segment_tree, 2> trees_;
+  double growth_, height_, smallest_, largest_;
+};
+
+}  // namespace cgal_blend
+
+#endif

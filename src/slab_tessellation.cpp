@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slab_tessellation.h"
+
+#include "implicit_remeshing.h"
+#include "mesh_checks.h"
+#include "ring_strips.h"
+#include "slab_lattice.h"
+#include "slab_sizing.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr double growth = 0.35;  // of facets with the distance from finer ones
+constexpr int attempts = 4;      // each with cells half as wide and half as near the planes
+
+std::size_t ring_vertices(const Hermite_transition& psi, std::size_t side) {
+  std::size_t count = 0;
+  for (const Ring& ring : psi.rings(side)) count += ring.size();
+  return count;
+}
+
+/// Vertices by the piece of surface they belong to.
+class Pieces {
+ public:
+  explicit Pieces(const Joined_rings& joined) : parent_(joined.points.size()) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    for (const auto& [a, b, c] : joined.triangles) {
+      parent_[of(a)] = of(b);
+      parent_[of(b)] = of(c);
+    }
+  }
+  std::size_t of(std::size_t v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Drops what no ring bounds; returns a vertex of a ring whose piece does not lead to the other side.
+std::optional<std::size_t> keep_joined(Joined_rings& joined, std::size_t lower, std::size_t rings) {
+  Pieces pieces(joined);
+  std::vector<unsigned> reached(joined.points.size(), 0);
+  for (std::size_t v = 0; v < rings; ++v) reached[pieces.of(v)] |= v < lower ? 1U : 2U;
+  for (std::size_t v = 0; v < rings; ++v)
+    if (reached[pieces.of(v)] != 3) return v;
+  auto& triangles = joined.triangles;
+  triangles.erase(
+      std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t) { return reached[pieces.of(t[0])] == 0; }),
+      triangles.end());
+  return std::nullopt;
+}
+
+/// Nothing if the triangles are no 2-manifold.
+std::optional<Blend_mesh> mesh_of(const Joined_rings& joined) {
+  Blend_mesh mesh;
+  mesh.reserve(static_cast<Blend_mesh::size_type>(joined.points.size()),
+               static_cast<Blend_mesh::size_type>(joined.points.size() + joined.triangles.size()),
+               static_cast<Blend_mesh::size_type>(joined.triangles.size()));
+  for (const Point_3& p : joined.points) mesh.add_vertex(p);
+  for (const auto& [a, b, c] : joined.triangles)
+    if (mesh.add_face(Vertex(static_cast<unsigned>(a)), Vertex(static_cast<unsigned>(b)),
+                      Vertex(static_cast<unsigned>(c))) == Blend_mesh::null_face())
+      return std::nullopt;
+  for (const Vertex v : mesh.vertices())
+    if (mesh.is_isolated(v)) mesh.remove_vertex(v);
+  return mesh;
+}
+
+class Tessellator {
+ public:
+  Tessellator(const Hermite_transition& psi, const Slab_options& options)
+      : psi_(psi), options_(options), lower_(ring_vertices(psi, 0)), rings_(lower_ + ring_vertices(psi, 1)) {}
+
+  Slab_tessellation run() {
+    Slab_tessellation result;
+    Contour_options contour;
+    for (int attempt = 0; attempt < attempts; ++attempt, contour.fineness *= 2, contour.gap /= 2) {
+      result = {};
+      std::optional<Blend_mesh> mesh = coarse_mesh(contour, result.diagnosis);
+      if (!mesh) continue;
+      if (!remesh(*mesh)) {
+        result.diagnosis = {Status::cancelled, "", std::nullopt, std::nullopt};
+        return result;
+      }
+      if (free_of_crossings(*mesh, result.diagnosis)) {
+        write(*mesh, result);
+        return result;
+      }
+    }
+    return result;
+  }
+
+ private:
+  std::optional<Blend_mesh> coarse_mesh(const Contour_options& options, Diagnosis& diagnosis) const {
+    const auto refuse = [&](const std::optional<Point_3>& where, const char* why) {
+      diagnosis = {Status::openings_not_joined, why, where, std::nullopt};
+      return std::nullopt;
+    };
+    const Slab_contour contour = contour_slab(psi_, options_, options);
+    if (contour.escape) return refuse(contour.escape, "the transition leaves the space between the openings");
+    Joined_rings joined = join_rings(psi_, contour);
+    if (joined.gap) return refuse(joined.gap, "no transition leaves this ring");
+    if (const auto v = keep_joined(joined, lower_, rings_))
+      return refuse(joined.points[*v], "the transition from this ring does not reach the other side");
+    std::optional<Blend_mesh> mesh = mesh_of(joined);
+    if (!mesh) diagnosis = {Status::blend_folds, "the transition touches itself", joined.points.front(), std::nullopt};
+    return mesh;
+  }
+
+  bool remesh(Blend_mesh& mesh) const {
+    const Slab_sizing sizing(psi_, options_, growth);
+    Remeshing_target target;
+    target.function = [this](const Point_3& p) { return psi_(p); };
+    target.size = [&sizing](const Point_3& p) { return sizing(p); };
+    target.zmax = psi_.height();
+    target.least_angle = options_.least_angle;
+    target.progress = options_.progress;
+    return remesh_implicit(mesh, target);
+  }
+
+  static bool free_of_crossings(const Blend_mesh& mesh, Diagnosis& diagnosis) {
+    const auto pairs = internal::intersecting_pairs(mesh);
+    if (pairs.empty()) return true;
+    diagnosis = {Status::blend_folds, "the transition crosses itself", internal::meeting_point(mesh, pairs.front()),
+                 std::nullopt};
+    return false;
+  }
+
+  static void write(const Blend_mesh& mesh, Slab_tessellation& result) {
+    for (const Vertex v : mesh.vertices()) result.points.push_back(mesh.point(v));
+    for (const Face f : mesh.faces()) {
+      const Halfedge h = mesh.halfedge(f);
+      result.triangles.push_back({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))});
+    }
+  }
+
+  const Hermite_transition& psi_;
+  const Slab_options& options_;
+  std::size_t lower_, rings_;
+};
+
+}  // namespace
+
+Slab_tessellation tessellate_slab(const Hermite_transition& psi, const Slab_options& options) {
+  return Tessellator(psi, options).run();
+}
+
+}  // namespace cgal_blend
