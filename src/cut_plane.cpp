@@ -13,7 +13,7 @@ namespace {
 
 template <class Number>
 Number height(const Cut_plane& plane, const Point_3& p) {
-  const auto term = [&](int k) { return Number(plane.normal[k]) * (Number(p[k]) - Number(plane.point[k])); };
+  const auto term = [&](int k) -> Number { return Number(plane.normal[k]) * (Number(p[k]) - Number(plane.point[k])); };
   return term(0) + term(1) + term(2);
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#define CGAL_EIGEN3_ENABLED  // CGAL's solver traits ask for it
-
 #include "fuse_bend.h"
 
 #include <CGAL/Surface_mesh_deformation.h>

@@ -61,7 +61,7 @@ std::optional<Cut_plane> parse_plane(const std::optional<std::string>& text, con
 }
 
 /// The plane moves with what it cuts: its normal by the inverse transpose.
-void apply(const Transform& placement, std::optional<Cut_plane>& plane) {
+void place(const Transform& placement, std::optional<Cut_plane>& plane) {
   if (!placement || !plane) return;
   const auto inverse = placement->inverse();
   const Vector_3 n = plane->normal;
@@ -106,7 +106,7 @@ void read_side(const std::string& files, const Transform& placement, Fusion_side
     {
       const Timer timer(report.read);
       parts.meshes.push_back(read_mesh(file));
-      apply(placement, parts.meshes.back());
+      cli::apply(placement, parts.meshes.back());
     }
     const Blend_mesh& mesh = parts.meshes.back();
     if (report.input.is_null())
@@ -185,7 +185,7 @@ void fuse(const Fuse_command& command, Report& report) {
   parts.sides[1].plane = parse_plane(command.upper_plane, "--upper-plane");
   Transform placement;
   if (command.place_upper) placement = parse_transform(*command.place_upper, "--place-upper");
-  apply(placement, parts.sides[1].plane);
+  place(placement, parts.sides[1].plane);
   read_side(command.lower, {}, parts.sides[0], parts, report);
   read_side(command.upper, placement, parts.sides[1], parts, report);
   Blend_mesh mesh;
