@@ -84,7 +84,7 @@ class Fusion {
   bool make_sections(const Fuse_frame& frame, std::array<Opening_sections, 2>& sections);
   Slab_tessellation tessellate(const std::array<Opening_sections, 2>& sections, double height);
   void join(const Fuse_frame& frame, Blend_mesh& out);
-  void bend(const Fuse_frame& frame, const Slab_tessellation& slab, std::size_t first_inner, Blend_mesh& mesh);
+  void relax(const Fuse_frame& frame, const Slab_tessellation& slab, Blend_mesh& mesh);
 
   std::array<const Fusion_side*, 2> given_;
   const Fuse_options& options_;
@@ -154,7 +154,8 @@ void Fusion::join(const Fuse_frame& frame, Blend_mesh& out) {
   outcome_.times.assemble = watch.milliseconds();
   outcome_.diagnosis = fused.diagnosis;
   if (!outcome_.ok()) return;
-  if (frame.is_bent()) bend(frame, slab, side_vertices_, fused.mesh);
+  const auto folds = [&](const Point_3& p) { return frame.folds(p); };
+  if (std::any_of(slab.points.begin(), slab.points.end(), folds)) relax(frame, slab, fused.mesh);
   if (!go_on(0.9)) return;
   watch = Stopwatch();
   finish(sides_, fused, frame.is_bent(), outcome_);
@@ -163,7 +164,7 @@ void Fusion::join(const Fuse_frame& frame, Blend_mesh& out) {
 }
 
 /// Relaxes the bent transition; the shape to come near to is the straight one, with the upper side moved along.
-void Fusion::bend(const Fuse_frame& frame, const Slab_tessellation& slab, std::size_t first_inner, Blend_mesh& mesh) {
+void Fusion::relax(const Fuse_frame& frame, const Slab_tessellation& slab, Blend_mesh& mesh) {
   const Stopwatch watch;
   std::vector<Point_3> straight;
   straight.reserve(mesh.number_of_vertices());
@@ -173,9 +174,10 @@ void Fusion::bend(const Fuse_frame& frame, const Slab_tessellation& slab, std::s
     for (std::size_t i = 0; i < part.cut.vertices.size(); ++i) unbend(part.first_kept + i);
     for (std::size_t i = 0; i < part.cut.points.size(); ++i) unbend(part.first_new + i);
   }
-  const std::size_t inner = mesh.number_of_vertices() - first_inner, rings = slab.points.size() - inner;
-  for (std::size_t i = 0; i < inner; ++i) straight[first_inner + i] = frame.from_straight_frame(slab.points[rings + i]);
-  relax_bend(mesh, straight, first_inner);
+  const std::size_t inner = mesh.number_of_vertices() - side_vertices_, rings = slab.points.size() - inner;
+  for (std::size_t i = 0; i < inner; ++i)
+    straight[side_vertices_ + i] = frame.from_straight_frame(slab.points[rings + i]);
+  relax_bend(mesh, straight, side_vertices_);
   outcome_.times.bend = watch.milliseconds();
 }
 

@@ -72,12 +72,28 @@ Point_3 Fuse_frame::from_straight_frame(const Point_3& p) const {
   return centre_[0] + p.x() * x_ + p.y() * y_ + p.z() * z_;
 }
 
+double Fuse_frame::shortening(const Point_3& p) const {
+  if (!is_bent()) return 1;
+  return 1 - angle_ / height_ * ((p.x() * x_ + p.y() * y_) * CGAL::cross_product(axis_, z_));
+}
+
+/// Where a height goes before the bend shortens or lengthens what is off the arc: at both planes by just as much the other
+/// way, so that the bend is rigid there to first order, and a tangent plane stays one. Points move along the arc only, so
+/// that a cylinder becomes a torus all the same.
+double Fuse_frame::warped(double z, double shortening) const {
+  const double half = height_ / 2, excess = std::min(1 / std::max(shortening, least_shortening), largest_warp) - 1;
+  const double from_end = std::min(z, height_ - z), u = 1 - from_end / half;
+  const double shift = excess * from_end * u * u;
+  return z < half ? z + shift : z - shift;
+}
+
 Point_3 Fuse_frame::from_frame(const Point_3& p) const {
   if (!is_bent()) return from_straight_frame(p);
-  const double t = std::clamp(p.z() / height_, 0.0, 1.0), turn = t * angle_, radius = height_ / angle_;
+  const double z = std::clamp(p.z(), 0.0, height_), t = warped(z, shortening(p)) / height_;
+  const double turn = t * angle_, radius = height_ / angle_;
   const Vector_3 inward = CGAL::cross_product(axis_, z_);
   const Vector_3 arc = radius * std::sin(turn) * z_ + radius * (1 - std::cos(turn)) * inward;
-  const Vector_3 section = p.x() * x_ + p.y() * y_ + (p.z() - t * height_) * z_;
+  const Vector_3 section = p.x() * x_ + p.y() * y_ + (p.z() - z) * z_;
   return centre_[0] + arc + rotated(section, axis_, turn) + smooth_step(t) * residue_;
 }
 
