@@ -2,7 +2,6 @@
 #include <cgal_blend/fuse.h>
 
 #include "fuse_assembly.h"
-#include "fuse_bend.h"
 #include "fuse_frame.h"
 #include "fuse_sides.h"
 #include "hermite_transition.h"
@@ -83,8 +82,8 @@ class Fusion {
   bool open();
   bool make_sections(const Fuse_frame& frame, std::array<Opening_sections, 2>& sections);
   Slab_tessellation tessellate(const std::array<Opening_sections, 2>& sections, double height);
+  bool place(const Fuse_frame& frame, const Slab_tessellation& slab, std::vector<Point_3>& inner);
   void join(const Fuse_frame& frame, Blend_mesh& out);
-  void relax(const Fuse_frame& frame, const Slab_tessellation& slab, Blend_mesh& mesh);
 
   std::array<const Fusion_side*, 2> given_;
   const Fuse_options& options_;
@@ -137,48 +136,39 @@ Slab_tessellation Fusion::tessellate(const std::array<Opening_sections, 2>& sect
   return result;
 }
 
+/// Places the transition, in space; false if it folds.
+bool Fusion::place(const Fuse_frame& frame, const Slab_tessellation& slab, std::vector<Point_3>& inner) {
+  const auto folded =
+      std::find_if(slab.points.begin(), slab.points.end(), [&](const Point_3& p) { return frame.folds(p); });
+  if (folded != slab.points.end()) {
+    const char* detail = "the arc is too tight for the openings; move the sides apart";
+    outcome_.diagnosis = {Status::blend_folds, detail, frame.from_frame(*folded), {}};
+    return false;
+  }
+  std::size_t first = 0;
+  for (const Fuse_side& side : sides_)
+    for (const auto& ring : side.rings) first += ring.size();
+  for (std::size_t i = first; i < slab.points.size(); ++i) inner.push_back(frame.from_frame(slab.points[i]));
+  return true;
+}
+
 void Fusion::join(const Fuse_frame& frame, Blend_mesh& out) {
   std::array<Opening_sections, 2> sections;
   if (!make_sections(frame, sections) || !go_on(0.2)) return;
   const Slab_tessellation slab = tessellate(sections, frame.height());
   outcome_.diagnosis = slab.diagnosis;
   if (outcome_.diagnosis.point) outcome_.diagnosis.point = frame.from_frame(*outcome_.diagnosis.point);
-  if (!outcome_.ok() || !go_on(0.8)) return;
-  Stopwatch watch;
-  std::size_t first = 0;
-  for (const Fuse_side& side : sides_)
-    for (const auto& ring : side.rings) first += ring.size();
   std::vector<Point_3> inner;
-  for (std::size_t i = first; i < slab.points.size(); ++i) inner.push_back(frame.from_frame(slab.points[i]));
+  if (!outcome_.ok() || !place(frame, slab, inner) || !go_on(0.8)) return;
+  Stopwatch watch;
   Fused_mesh fused = sew(sides_, side_vertices_, slab, inner);
   outcome_.times.assemble = watch.milliseconds();
   outcome_.diagnosis = fused.diagnosis;
-  if (!outcome_.ok()) return;
-  const auto folds = [&](const Point_3& p) { return frame.folds(p); };
-  if (std::any_of(slab.points.begin(), slab.points.end(), folds)) relax(frame, slab, fused.mesh);
-  if (!go_on(0.9)) return;
+  if (!outcome_.ok() || !go_on(0.9)) return;
   watch = Stopwatch();
   finish(sides_, fused, frame.is_bent(), outcome_);
   outcome_.times.validate = watch.milliseconds();
   if (outcome_.ok()) out = std::move(fused.mesh);
-}
-
-/// Relaxes the bent transition; the shape to come near to is the straight one, with the upper side moved along.
-void Fusion::relax(const Fuse_frame& frame, const Slab_tessellation& slab, Blend_mesh& mesh) {
-  const Stopwatch watch;
-  std::vector<Point_3> straight;
-  straight.reserve(mesh.number_of_vertices());
-  for (const Vertex v : mesh.vertices()) straight.push_back(mesh.point(v));
-  const auto unbend = [&](std::size_t v) { straight[v] = frame.from_straight_frame(frame.to_frame(straight[v], 1)); };
-  for (const Fuse_part& part : sides_[1].parts) {
-    for (std::size_t i = 0; i < part.cut.vertices.size(); ++i) unbend(part.first_kept + i);
-    for (std::size_t i = 0; i < part.cut.points.size(); ++i) unbend(part.first_new + i);
-  }
-  const std::size_t inner = mesh.number_of_vertices() - side_vertices_, rings = slab.points.size() - inner;
-  for (std::size_t i = 0; i < inner; ++i)
-    straight[side_vertices_ + i] = frame.from_straight_frame(slab.points[rings + i]);
-  relax_bend(mesh, straight, side_vertices_);
-  outcome_.times.bend = watch.milliseconds();
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ double Fuse_frame::shortening(const Point_3& p) const {
 /// way, so that the bend is rigid there to first order, and a tangent plane stays one. Points move along the arc only, so
 /// that a cylinder becomes a torus all the same.
 double Fuse_frame::warped(double z, double shortening) const {
-  const double half = height_ / 2, excess = std::min(1 / std::max(shortening, least_shortening), largest_warp) - 1;
+  const double half = height_ / 2, excess = 1 / std::max(shortening, 1 / largest_warp) - 1;
   const double from_end = std::min(z, height_ - z), u = 1 - from_end / half;
   const double shift = excess * from_end * u * u;
   return z < half ? z + shift : z - shift;

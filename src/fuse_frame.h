@@ -27,16 +27,14 @@ class Fuse_frame {
   /// Back again, bent about the arc; rigid at both planes to first order, so that tangents are kept.
   [[nodiscard]] Point_3 from_frame(const Point_3& p) const;
   /// True where the bend would turn the transition over: on the inner side of an arc that is too tight for its openings.
-  [[nodiscard]] bool folds(const Point_3& p) const { return shortening(p) < least_shortening; }
+  [[nodiscard]] bool folds(const Point_3& p) const { return !(shortening(p) > 0); }
   /// The same as `from_frame` where nothing is bent: with the lower side.
   [[nodiscard]] Point_3 from_straight_frame(const Point_3& p) const;
 
  private:
   // Planes at a smaller angle, radians, count as parallel: the rings of both sides keep their places anyway.
   static constexpr double parallel = 1e-6;
-  // Lengths along the bend are not pressed together to less than this share,
-  static constexpr double least_shortening = 0.1;
-  // and at the planes not stretched beforehand by more, so that no height is passed twice (4 would be the limit).
+  // At the planes heights are stretched by no more, so that none is passed twice; 4 would be the limit.
   static constexpr double largest_warp = 3.5;
 
   [[nodiscard]] double shortening(const Point_3& p) const;  // of lengths along the bend

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,28 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 std::optional<Vertex> vertex_on(const Blend_mesh& mesh, const Cut_plane& plane) {
   for (const Vertex v : mesh.vertices())
     if (!mesh.is_isolated(v) && side_of(plane, mesh.point(v)) == 0) return v;
+  return std::nullopt;
+}
+
+// A vertex counts as met if an edge is cut nearer to it than this share of the edge,
+constexpr double clearance = 1e-9;
+// or than so many units in the last place of its coordinates: the rounded ring could cross itself there.
+constexpr double clearance_in_ulps = 64;
+
+/// The first vertex that the curves pass too close by for points in double.
+std::optional<Vertex> vertex_met(const Blend_mesh& mesh, const Section_walk& walk,
+                                 const std::vector<Section_walk::Curve>& curves) {
+  for (const auto& curve : curves)
+    for (const Halfedge h : curve.entries) {
+      const Point_3 p = walk.point(h);
+      const double edge = std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+      for (const Vertex v : {mesh.source(h), mesh.target(h)}) {
+        const Point_3& q = mesh.point(v);
+        const double size = std::max({std::abs(q.x()), std::abs(q.y()), std::abs(q.z())});
+        const double least = clearance * edge + clearance_in_ulps * std::numeric_limits<double>::epsilon() * size;
+        if (CGAL::squared_distance(p, q) < least * least) return v;
+      }
+    }
   return std::nullopt;
 }
 
@@ -162,6 +185,8 @@ Plane_cut cut(const Blend_mesh& mesh, const Cut_plane& plane) {
   }
   const Section_walk walk(mesh, plane);
   const std::vector<Section_walk::Curve> curves = walk.curves();
+  if (const auto v = vertex_met(mesh, walk, curves))
+    result.diagnosis = refusal(Status::plane_meets_vertex, mesh.point(*v), "vertex " + std::to_string(v->idx()));
   if (curves.empty()) result.diagnosis.status = Status::plane_misses_mesh;
   for (const auto& curve : curves)
     if (!curve.closed) result.diagnosis = refusal(Status::section_not_closed, walk.point(curve.entries.back()));

@@ -40,7 +40,6 @@ struct Fuse_times {
   double cut = 0;         ///< cutting, and the shifted sections
   double openings = 0;    ///< implicit forms of all sections
   double tessellate = 0;  ///< meshing the transition
-  double bend = 0;        ///< carrying it back between planes that are not parallel
   double assemble = 0;    ///< sewing; linear in the size of the meshes
   double validate = 0;
 };

@@ -132,8 +132,7 @@ Json fusion_json(const Fuse_outcome& outcome) {
            {{"cut", outcome.times.cut},
             {"openings", outcome.times.openings},
             {"tessellate", outcome.times.tessellate},
-            {"bend", outcome.times.bend},
-            {"assemble", outcome.times.assemble}}}};
+             {"assemble", outcome.times.assemble}}}};
 }
 
 void make_report(const Fuse_command& command, const Fuse_outcome& outcome, const Blend_mesh& mesh, Report& report) {

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks.h"
+#include "fusions.h"
+#include "shapes.h"
+
+#include <cgal_blend/fuse.h>
+#include <cgal_blend/validate.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace {
+
+using namespace cgal_blend;
+using namespace cgal_blend::test;
+
+/// Radius of the transition between coaxial circles, Hermite in w = z / height.
+double profile_radius(double w, double r1, double r2, double slope1, double slope2, double height) {
+  return r1 * (w - 1) * (w - 1) * (1 + 2 * w) + r2 * w * w * (3 - 2 * w) + height * slope1 * w * (w - 1) * (w - 1) +
+         height * slope2 * w * w * (w - 1);
+}
+
+/// Integral of rho^2 by Simpson's rule, times the area of a regular polygon of radius 1.
+double profile_volume(int n, double r1, double r2, double slope1, double slope2, double height) {
+  double sum = 0;
+  constexpr int steps = 400;
+  for (int k = 0; k <= steps; ++k) {
+    const double r = profile_radius(static_cast<double>(k) / steps, r1, r2, slope1, slope2, height);
+    sum += r * r * (k == 0 || k == steps ? 1 : k % 2 == 1 ? 4 : 2);
+  }
+  return sum * height / steps / 3 * n / 2 * std::sin(2 * pi / n);
+}
+
+double frustum_volume(int n, double r0, double r1, double height) {
+  return (r0 * r0 + r0 * r1 + r1 * r1) / 3 * height * n / 2 * std::sin(2 * pi / n);
+}
+
+void expect_valid(const Fuse_outcome& outcome, const Blend_mesh& mesh) {
+  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
+  const Validity_report report = validate(mesh);
+  EXPECT_TRUE(report.ok()) << message(report.diagnosis);
+  EXPECT_TRUE(is_closed_by_counting(mesh));
+  EXPECT_TRUE(has_single_fans(mesh));
+  EXPECT_EQ(outcome.changed_faces.size() + outcome.kept_faces, mesh.number_of_faces());
+}
+
+/// Faces of a side that its plane leaves whole, by the heights of their vertices.
+std::vector<Face> faces_below(const Blend_mesh& mesh, const Cut_plane& plane) {
+  std::vector<Face> kept;
+  for (const Face f : mesh.faces()) {
+    bool below = true;
+    for (const std::size_t v : corners_of(mesh, f))
+      below = below && (mesh.point(Vertex(v)) - plane.point) * plane.normal < 0;
+    if (below) kept.push_back(f);
+  }
+  return kept;
+}
+
+struct Coaxial {
+  double r1, r2, slope1, slope2, height;
+};
+
+class Fuse_coaxial : public testing::TestWithParam<Coaxial> {};
+
+TEST_P(Fuse_coaxial, encloses_the_volume_of_the_profile) {
+  const Coaxial c = GetParam();
+  constexpr int n = 64;
+  // Levels at -1.5, -0.5, 0.5 ...: the plane cuts half-way between them.
+  const Blend_mesh low = frustum(c.r1 - 1.5 * c.slope1, c.r1 + 0.5 * c.slope1, n, -1.5, 0.5, 2);
+  const Blend_mesh high = frustum(c.r2 - 0.5 * c.slope2, c.r2 + 1.5 * c.slope2, n, c.height - 0.5, c.height + 1.5, 2);
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(c.height)}, out);
+  expect_valid(outcome, out);
+  const double expected = frustum_volume(n, c.r1 - 1.5 * c.slope1, c.r1, 1.5) +
+                          profile_volume(n, c.r1, c.r2, c.slope1, c.slope2, c.height) +
+                          frustum_volume(n, c.r2, c.r2 + 1.5 * c.slope2, 1.5);
+  EXPECT_NEAR(volume_of(out), expected, 0.005 * expected);
+  EXPECT_NEAR(outcome.volume, volume_of(out), 1e-9 * expected);
+  EXPECT_EQ(outcome.euler_characteristic, 2);
+  EXPECT_EQ(outcome.rings, (std::array<std::size_t, 2>{1, 1}));
+  for (const Face f : outcome.transition_faces)
+    for (const std::size_t v : corners_of(out, f)) {
+      const Point_3& p = out.point(Vertex(v));
+      const double rho = profile_radius(p.z() / c.height, c.r1, c.r2, c.slope1, c.slope2, c.height);
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), rho, 0.005 * std::max(c.r1, c.r2));
+    }
+  EXPECT_LE(outcome.tangency_max, 360.0 / n);
+  EXPECT_LE(outcome.tangency_mean, outcome.tangency_max);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, Fuse_coaxial,
+                         testing::Values(Coaxial{1, 1, 0, 0, 2}, Coaxial{1, 0.6, 0, 0, 1.5},
+                                         Coaxial{1, 1.3, 0.2, -0.3, 2}, Coaxial{1.2, 0.8, -0.3, 0.2, 3},
+                                         Coaxial{1, 1, 0.4, -0.4, 0.7}));
+
+/// Openings on circles about the axis. Where both sides have several, turned against each other, the axis stays outside
+/// of all sections and the bodies join in a wreath about it: genus 1.
+struct Topology {
+  int lower, upper;
+  long euler;
+  std::size_t components;
+};
+
+class Fuse_topology : public testing::TestWithParam<Topology> {};
+
+TEST_P(Fuse_topology, is_valid_and_as_predicted) {
+  const Topology t = GetParam();
+  const Blend_mesh low = frustum(0.5, 0.5, 32, -1.3, 0.4, 3), high = frustum(0.5, 0.5, 32, 3 - 0.4, 4.3, 3);
+  const auto lows = on_circle(low, t.lower, 0.9, 0),
+             highs = on_circle(high, t.upper, r, t.upper == 1 ? 0 : pi / t.upper);
+  const Fusion_side a = side_of_meshes(lows, lower_plane), b = side_of_meshes(highs, upper_plane(3));
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse(a, b, out);
+  expect_valid(outcome, out);
+  EXPECT_EQ(outcome.euler_characteristic, t.euler);
+  EXPECT_EQ(validate(out).components, t.components);
+  EXPECT_EQ(outcome.rings[0], static_cast<std::size_t>(t.lower));
+  EXPECT_EQ(outcome.rings[1], static_cast<std::size_t>(t.upper));
+  EXPECT_LE(outcome.tangency_mean, 360.0 / 32);
+  std::vector<Face> kept;
+  std::size_t count = 0;
+  for (const Fusion_side* side : {&a, &b})
+    for (const Blend_mesh* mesh : side->meshes) {
+      const auto whole = faces_below(*mesh, *side->plane);
+      EXPECT_TRUE(faces_kept_in_order(*mesh, out, whole));
+      count += whole.size();
+    }
+  EXPECT_EQ(outcome.kept_faces, count);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rings, Fuse_topology,
+                         testing::Values(Topology{1, 1, 2, 1}, Topology{1, 2, 2, 1}, Topology{1, 3, 2, 1},
+                                         Topology{1, 4, 2, 1}, Topology{2, 2, 0, 1}, Topology{3, 3, 0, 1},
+                                         Topology{2, 1, 2, 1}));
+
+TEST(Fuse, keeps_separate_tubes_apart) {
+  const auto lows = on_circle(frustum(0.5, 0.5, 32, -1.3, 0.4, 3), 2, 1.5, 0);
+  const auto highs = on_circle(frustum(0.4, 0.4, 32, 1, 3, 3), 2, 1.5, 0);
+  Blend_mesh out;
+  const Fuse_outcome outcome =
+      unchecked::fuse(side_of_meshes(lows, lower_plane), side_of_meshes(highs, upper_plane(1.5)), out);
+  expect_valid(outcome, out);
+  EXPECT_EQ(outcome.euler_characteristic, 4);
+  EXPECT_EQ(validate(out).components, 2u);
+}
+
+TEST(Fuse, joins_openings_in_a_row) {
+  // Each opening lies half under the next one of the other side: one body without a hole.
+  const Blend_mesh low = frustum(0.5, 0.5, 32, -1.3, 0.4, 3), high = frustum(0.5, 0.5, 32, 2, 4, 3);
+  const Blend_mesh lows[] = {transformed(low, moved_by(-0.9, 0, 0)), transformed(low, moved_by(0.9, 0, 0))};
+  const Blend_mesh highs[] = {high, transformed(high, moved_by(1.8, 0, 0))};
+  Blend_mesh out;
+  const Fuse_outcome outcome =
+      unchecked::fuse({{&lows[0], &lows[1]}, lower_plane}, {{&highs[0], &highs[1]}, upper_plane(2.5)}, out);
+  expect_valid(outcome, out);
+  EXPECT_EQ(outcome.euler_characteristic, 2);
+  EXPECT_EQ(validate(out).components, 1u);
+}
+
+TEST(Fuse, joins_a_tube_to_a_tube) {
+  const Blend_mesh low = pipe(0.5, 1, 48, -1, 0.5), high = pipe(0.8, 1.4, 48, 1, 3);
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, out);
+  expect_valid(outcome, out);
+  EXPECT_EQ(outcome.rings, (std::array<std::size_t, 2>{2, 2}));
+  EXPECT_EQ(outcome.euler_characteristic, 0) << "a torus";
+  const double polygon = 48.0 / 2 * std::sin(2 * pi / 48);
+  const double expected = polygon * (1 - 0.25) * 1 + polygon * (1.96 - 0.64) * 1.5 +
+                          profile_volume(48, 1, 1.4, 0, 0, 1.5) - profile_volume(48, 0.5, 0.8, 0, 0, 1.5);
+  EXPECT_NEAR(volume_of(out), expected, 0.02 * expected);
+}
+
+TEST(Fuse, joins_holes_without_planes) {
+  // The same body, cut by a plane and with a hole there: the kept part of the cut one is the mesh with the hole.
+  const Blend_mesh low = frustum(0.8, 1.2, 40, -2, 2, 4), high = frustum(0.7, 0.7, 40, 2, 4, 2);
+  Blend_mesh open = low;
+  for (const Face f : open.faces()) {
+    double highest = -9;
+    for (const std::size_t v : corners_of(open, f)) highest = std::max(highest, open.point(Vertex(v)).z());
+    if (highest > 1e-9) CGAL::Euler::remove_face(open.halfedge(f), open);
+  }
+  open.collect_garbage();
+  Blend_mesh out;
+  EXPECT_TRUE(check_fusion_part(open, std::nullopt).ok());
+  const Fuse_outcome outcome = unchecked::fuse({{&open}, std::nullopt}, {{&high}, upper_plane(2.5)}, out);
+  expect_valid(outcome, out);
+  EXPECT_TRUE(outcome.one_sided[0]);
+  EXPECT_FALSE(outcome.one_sided[1]);
+  EXPECT_EQ(outcome.kept_faces, open.number_of_faces() + faces_below(high, upper_plane(2.5)).size());
+  const double expected =
+      frustum_volume(40, 0.8, 1, 2) + profile_volume(40, 1, 0.7, 0.1, 0, 2.5) + 0.49 * 1.5 * 20 * std::sin(2 * pi / 40);
+  EXPECT_NEAR(volume_of(out), expected, 0.005 * expected);
+}
+
+class Fuse_elbow : public testing::TestWithParam<double> {};
+
+TEST_P(Fuse_elbow, is_a_torus) {
+  const double angle = GetParam(), major = 1.4, minor = 0.5;
+  const Blend_mesh low = frustum(minor, minor, 48, -1, 0.3, 3), straight = frustum(minor, minor, 48, -0.3, 1, 3);
+  // The upper cylinder turned about the y axis through (major, 0, 0).
+  const Point_3 centre(major, 0, 0);
+  const Placement to = moved_by(major, 0, 0) * placement({0, 1, 0}, angle) * moved_by(-major, 0, 0);
+  const Blend_mesh high = transformed(straight, to);
+  const Cut_plane up{to.transform(Point_3(0, 0, 0)), -to.transform(Vector_3(0, 0, 1))};
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, up}, out);
+  expect_valid(outcome, out);
+  EXPECT_NEAR(outcome.angle, angle * 180 / pi, 1e-9);
+  EXPECT_NEAR(outcome.height, major * angle, 1e-3 * major * angle);
+  EXPECT_EQ(outcome.euler_characteristic, 2);
+  for (const Face f : outcome.transition_faces)
+    for (const std::size_t v : corners_of(out, f))
+      EXPECT_NEAR(distance_to_torus(out.point(Vertex(v)), centre, {0, 1, 0}, major, minor), 0, 0.01 * minor);
+  const double polygon = 24 * std::sin(2 * pi / 48) * minor * minor;
+  EXPECT_NEAR(outcome.volume, polygon * (2 + major * angle), 0.005 * outcome.volume);
+  EXPECT_LE(outcome.tangency_max, 360.0 / 48);
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, Fuse_elbow, testing::Values(0.02, pi / 6, pi / 2, 2 * pi / 3 - 1e-9));
+
+TEST(Fuse, keeps_tangents_of_cones_in_an_elbow) {
+  const Blend_mesh low = frustum(0.9, 0.5, 48, -1, 0.25, 4), straight = frustum(0.5, 0.9, 48, -0.25, 1, 4);
+  const Placement to = moved_by(1.5, 0.2, 0.1) * placement({0, 1, 0}, 1.2) * moved_by(-1.5, 0, 0);
+  const Blend_mesh high = transformed(straight, to);
+  const Cut_plane up{to.transform(Point_3(0, 0, 0)), -to.transform(Vector_3(0, 0, 1))};
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, up}, out);
+  expect_valid(outcome, out);
+  EXPECT_LE(outcome.tangency_max, 360.0 / 48);
+}
+
+TEST(Fuse, follows_rigid_motions_and_scale) {
+  const Blend_mesh low = frustum(1.1, 0.8, 32, -1, 0.5, 4),
+                   high = transformed(frustum(0.5, 0.7, 32, 1, 3, 3), moved_by(0.2, 0.1, 0));
+  Blend_mesh plain;
+  const Fuse_outcome first = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.4)}, plain);
+  expect_valid(first, plain);
+  for (const double scale : {1e-3, 1.0, 1e6}) {
+    const Placement to = placement({1, -2, 0.5}, 2.2, {3 * scale, -4 * scale, scale}) * Placement(CGAL::SCALING, scale);
+    const auto moved = [&](const Cut_plane& p) { return Cut_plane{to.transform(p.point), to.transform(p.normal)}; };
+    const Blend_mesh a = transformed(low, to), b = transformed(high, to);
+    Blend_mesh out;
+    const Fuse_outcome outcome = unchecked::fuse({{&a}, moved(lower_plane)}, {{&b}, moved(upper_plane(1.4))}, out);
+    expect_valid(outcome, out);
+    EXPECT_NEAR(outcome.volume, first.volume * std::pow(scale, 3), 2e-3 * first.volume * std::pow(scale, 3));
+    EXPECT_NEAR(outcome.height, 1.4 * scale, 1e-9 * scale);
+    EXPECT_NEAR(outcome.tangency_mean, first.tangency_mean, 0.5);
+  }
+}
+
+TEST(Fuse, is_deterministic) {
+  const auto lows = on_circle(frustum(0.5, 0.5, 24, -1.3, 0.4, 3), 2, 0.9, 0.1);
+  const Blend_mesh high = frustum(0.9, 0.9, 32, 1, 3, 3);
+  Blend_mesh one, two;
+  ASSERT_TRUE(unchecked::fuse(side_of_meshes(lows, lower_plane), {{&high}, upper_plane(2)}, one).ok());
+  ASSERT_TRUE(unchecked::fuse(side_of_meshes(lows, lower_plane), {{&high}, upper_plane(2)}, two).ok());
+  EXPECT_TRUE(identical(one, two));
+}
+
+TEST(Fuse, is_independent_of_what_is_far_away) {
+  const Blend_mesh low = frustum(1, 1, 32, -4, 0.5, 8), high = frustum(0.7, 0.7, 32, 1, 3, 3);
+  const Blend_mesh other = side_by_side(low, transformed(sphere(1, 2), moved_by(20, 0, -9)));
+  Blend_mesh a, b;
+  const Fuse_outcome one = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, a);
+  const Fuse_outcome two = unchecked::fuse({{&other}, lower_plane}, {{&high}, upper_plane(1.5)}, b);
+  expect_valid(one, a);
+  expect_valid(two, b);
+  EXPECT_EQ(one.transition_faces.size(), two.transition_faces.size());
+  EXPECT_EQ(two.euler_characteristic, one.euler_characteristic + 2);
+}
+
+/// Converts to a mesh of another type by its own points.
+template <class Graph>
+Graph as(const Blend_mesh& mesh) {
+  Graph graph;
+  CGAL::copy_face_graph(mesh, graph);
+  return graph;
+}
+
+TEST(Fuse, takes_meshes_of_any_type) {
+  using Exact_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  using Plain_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  const Blend_mesh low = frustum(1, 1, 24, -1, 0.5, 4), high = frustum(0.7, 0.7, 24, 1, 3, 3);
+  Blend_mesh expected;
+  const Fuse_outcome plain = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, expected);
+  ASSERT_TRUE(plain.ok());
+  const auto exact = as<Exact_mesh>(low);
+  const auto polyhedron = as<Polyhedron>(high);
+  const Fusion_side_of<Exact_mesh> a{{&exact}, lower_plane};
+  const Fusion_side_of<Polyhedron> b{{&polyhedron}, upper_plane(1.5)};
+  Polyhedron out;
+  const auto result = fuse(a, b, out);
+  ASSERT_TRUE(result.ok()) << message(result.diagnosis);
+  EXPECT_EQ(num_faces(out), expected.number_of_faces());
+  EXPECT_EQ(result.transition_faces.size(), plain.transition_faces.size());
+  EXPECT_EQ(result.volume, plain.volume);
+  Plain_mesh other;
+  EXPECT_EQ(fuse(a, b, other).kept_faces, plain.kept_faces);
+  EXPECT_EQ(num_faces(other), expected.number_of_faces());
+  Exact_mesh exact_out;
+  ASSERT_EQ(fuse(a, Fusion_side_of<Polyhedron>{{&polyhedron}, upper_plane(9)}, exact_out).diagnosis.status,
+            Status::plane_misses_mesh);
+  EXPECT_EQ(num_faces(exact_out), 0u) << "refused: not touched";
+}
+
+// What cannot be fused has a name.
+
+class Fuse_refuses : public testing::Test {
+ protected:
+  Status status(const Fusion_side& a, const Fusion_side& b, const Fuse_options& options = {}) {
+    Blend_mesh out;
+    const auto result = fuse(a, b, out, options);
+    EXPECT_EQ(out.number_of_faces(), 0u);
+    EXPECT_FALSE(message(result.diagnosis).empty());
+    return result.diagnosis.status;
+  }
+  Blend_mesh low = frustum(1, 1, 24, -1, 0.5, 4), high = frustum(0.7, 0.7, 24, 1, 3, 3);
+  Fusion_side a{{&low}, lower_plane}, b{{&high}, upper_plane(1.5)};
+};
+
+TEST_F(Fuse_refuses, bad_planes) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 9}, {0, 0, 1}}}, b), Status::plane_misses_mesh);
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0}, {0, 1, 0}}}, b), Status::plane_meets_vertex);
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0.5}, {0, 0, 1}}}, b), Status::plane_meets_vertex) << "along a face";
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, nan}, {0, 0, 1}}}, b), Status::invalid_parameter);
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0}, {0, 0, 0}}}, b), Status::invalid_parameter);
+  EXPECT_EQ(status({{&low}, std::nullopt}, b), Status::section_not_closed) << "no plane and no hole";
+}
+
+TEST_F(Fuse_refuses, bad_positions) {
+  const Blend_mesh below = transformed(high, moved_by(0, 0, -2.2));
+  EXPECT_EQ(status(a, {{&below}, upper_plane(-0.7)}), Status::sides_interpenetrate) << "upper below lower";
+  Blend_mesh out;
+  EXPECT_TRUE(fuse(b, a, out).ok()) << "only the names are exchanged";
+  EXPECT_EQ(status(a, {{&high}, Cut_plane{{0, 0, 1.5}, {0, 0, 1}}}), Status::planes_too_steep) << "looks away";
+  const Placement turn = placement({1, 0, 0}, 2.2);
+  const Blend_mesh steep = transformed(high, turn);
+  const Cut_plane up{turn.transform(Point_3(0, 0, 1.5)), turn.transform(Vector_3(0, 0, -1))};
+  EXPECT_EQ(status(a, {{&steep}, up}), Status::planes_too_steep);
+  // An elbow whose legs cross: the wedge is too narrow.
+  const Placement across = moved_by(0.6, 0, -0.2) * placement({0, 1, 0}, pi / 2) * moved_by(0, 0, -1.5);
+  const Blend_mesh crossing = transformed(high, across);
+  const Cut_plane there{across.transform(Point_3(0, 0, 1.5)), across.transform(Vector_3(0, 0, -1))};
+  const Status s = status(a, {{&crossing}, there});
+  EXPECT_TRUE(s == Status::sides_interpenetrate || s == Status::blend_folds) << name(s);
+}
+
+TEST_F(Fuse_refuses, openings_in_each_others_way) {
+  const Blend_mesh beside = transformed(low, moved_by(1.5, 0, 0)), inside = frustum(0.4, 0.4, 24, -1, 0.5, 4);
+  EXPECT_EQ(status({{&low, &beside}, lower_plane}, b), Status::openings_overlap);
+  EXPECT_EQ(status({{&low, &inside}, lower_plane}, b), Status::sides_interpenetrate) << "a solid in a solid";
+  // Openings that are apart, of bodies that cross deeper down.
+  const Blend_mesh left = transformed(frustum(1.5, 0.4, 24, -3, 0.5, 4), moved_by(-1, 0, 0)),
+                   right = transformed(frustum(1.5, 0.4, 24, -3, 0.5, 4), placement({0, 0, 1}, 0.1, {1, 0, 0}));
+  EXPECT_EQ(status({{&left, &right}, lower_plane}, b), Status::sides_interpenetrate);
+}
+
+TEST_F(Fuse_refuses, bad_options) {
+  Fuse_options options;
+  options.eta = {-0.1, 0.5};
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  options = {};
+  options.step = 0;
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  options = {};
+  options.edge = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  options = {};
+  options.grading = 0.5;
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  EXPECT_EQ(status({{}, lower_plane}, b), Status::invalid_parameter);
+  options = {};
+  options.progress = [](double) { return false; };
+  EXPECT_EQ(status(a, b, options), Status::cancelled);
+}
+
+TEST_F(Fuse_refuses, bad_meshes) {
+  Blend_mesh open = low;
+  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
+  open.collect_garbage();
+  EXPECT_EQ(status({{&open}, lower_plane}, b), Status::input_not_closed);
+  const Blend_mesh spiked = box_with_folded_spike();
+  EXPECT_EQ(status({{&spiked}, lower_plane}, b), Status::input_self_intersecting);
+  const Blend_mesh reversed = inside_out(low), none;
+  EXPECT_EQ(status({{&reversed}, lower_plane}, b), Status::input_misoriented);
+  EXPECT_EQ(status({{&none}, lower_plane}, b), Status::input_empty);
+}
+
+TEST_F(Fuse_refuses, holes_that_the_plane_leaves_or_meets) {
+  Blend_mesh above = low, across = low;
+  const auto open_at = [](Blend_mesh& mesh, double from, double to) {
+    for (const Face f : mesh.faces()) {
+      double least = 9, most = -9;
+      for (const std::size_t v : corners_of(mesh, f)) {
+        least = std::min(least, mesh.point(Vertex(v)).z());
+        most = std::max(most, mesh.point(Vertex(v)).z());
+      }
+      if (least < from || most > to) continue;
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+      break;
+    }
+    mesh.collect_garbage();
+  };
+  open_at(above, 0.4, 0.6);
+  Blend_mesh out;
+  EXPECT_TRUE(fuse(Fusion_side{{&above}, lower_plane}, b, out).ok()) << "the hole is cut off";
+  open_at(across, -0.26, 0.13);
+  EXPECT_EQ(status({{&across}, lower_plane}, b), Status::section_not_closed);
+}
+
+}  // namespace
