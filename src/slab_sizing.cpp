@@ -10,7 +10,7 @@ namespace cgal_blend {
 namespace {
 
 // Where rings are too coarse to tell the shape: so many edges over the height and around each ring at least.
-constexpr double edges_over_height = 4, edges_around = 16;
+constexpr double edges_over_height = 2, edges_around = 16;
 
 /// Sides of a ring with the edge length wanted at each; coarse ones are capped.
 std::vector<Weighted_segment> wanted(const std::vector<Ring>& rings, double height, const Slab_options& options) {
