@@ -17,6 +17,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr double growth = 0.35;       // of facets with the distance from finer ones
+constexpr double decline = 0.7;       // from coarser ones
 constexpr int attempts = 4;           // each with cells half as wide and half as near the planes
 constexpr int attempts_to_reach = 2;  // where a piece of surface does not lead to the other side
 
@@ -121,7 +122,7 @@ class Tessellator {
   }
 
   bool remesh(Blend_mesh& mesh) const {
-    const Slab_sizing sizing(psi_, options_, growth);
+    const Slab_sizing sizing(psi_, options_, growth, decline);
     Remeshing_target target;
     target.function = [this](const Point_3& p) { return psi_(p); };
     target.size = [&sizing](const Point_3& p) { return sizing(p); };
