@@ -159,8 +159,17 @@ class Remesher {
       if (edges.empty()) return;
       std::reverse(edges.begin(), edges.end());
       for (const auto& [r, e] : edges)
-        if (ratio(e) > longest) split(e);
+        if (ratio(e) > longest && !beside_longer_border(e)) split(e);
     }
+  }
+
+  /// Splitting such an edge leaves the border with a flatter face, whose edges would be split again, without end.
+  bool beside_longer_border(Edge e) const {
+    const Halfedge h = mesh_.halfedge(e);
+    for (const Halfedge g : {h, mesh_.opposite(h)})
+      for (const Halfedge side : {mesh_.next(g), mesh_.prev(g)})
+        if (mesh_.is_border(mesh_.edge(side)) && length(mesh_.edge(side)) > length(e)) return true;
+    return false;
   }
 
   void split(Edge e) {

@@ -10,7 +10,7 @@ namespace cgal_blend {
 namespace {
 
 // Where rings are too coarse to tell the shape: so many edges over the height and around each ring at least.
-constexpr double edges_over_height = 4, edges_around = 16;
+constexpr double edges_over_height = 2, edges_around = 16;
 
 /// Sides of a ring with the edge length wanted at each; coarse ones are capped.
 std::vector<Weighted_segment> wanted(const std::vector<Ring>& rings, double height, const Slab_options& options) {
@@ -32,12 +32,21 @@ std::vector<Weighted_segment> wanted(const std::vector<Ring>& rings, double heig
   return result;
 }
 
+/// Half the sides' lengths, negated.
+std::vector<Weighted_segment> least_wanted(const std::vector<Ring>& rings) {
+  std::vector<Weighted_segment> sides = sides_of(rings);
+  for (Weighted_segment& s : sides) s.weight = -std::sqrt(CGAL::squared_distance(s.source, s.target)) / 2;
+  return sides;
+}
+
 }  // namespace
 
-Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth)
-    : trees_{Segment_tree(wanted(psi.rings(0), psi.height(), options), growth),
+Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline)
+    : upper_{Segment_tree(wanted(psi.rings(0), psi.height(), options), growth),
              Segment_tree(wanted(psi.rings(1), psi.height(), options), growth)},
+      lower_{Segment_tree(least_wanted(psi.rings(0)), decline), Segment_tree(least_wanted(psi.rings(1)), decline)},
       growth_(growth),
+      decline_(decline),
       height_(psi.height()),
       smallest_(std::numeric_limits<double>::infinity()),
       largest_(0) {
@@ -49,14 +58,17 @@ Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& opti
   largest_ *= std::max(1.0, options.grading);
 }
 
-double Slab_sizing::at_plane(std::size_t side, const Point_2& p) const { return std::min(largest_, trees_[side](p)); }
+double Slab_sizing::at_plane(std::size_t side, const Point_2& p) const {
+  return std::max(std::min(largest_, upper_[side](p)), -lower_[side](p));
+}
 
 double Slab_sizing::operator()(const Point_3& p) const {
   const Point_2 q(p.x(), p.y());
-  const double low = growth_ * p.z(), high = growth_ * (height_ - p.z());
+  const std::array<double, 2> distance{p.z(), height_ - p.z()};
   double size = largest_;
-  if (low < size) size = std::min(size, trees_[0](q) + low);
-  if (high < size) size = std::min(size, trees_[1](q) + high);
+  for (const std::size_t side : {0, 1})
+    if (const double away = growth_ * distance[side]; away < size) size = std::min(size, upper_[side](q) + away);
+  for (const std::size_t side : {0, 1}) size = std::max(size, -lower_[side](q) - decline_ * distance[side]);
   return size;
 }
 

@@ -10,21 +10,24 @@
 namespace cgal_blend {
 
 /// The edge length wanted at a point of the slab: that of the rings' sides on them, growing with the distance from them at a
-/// bounded rate, so that a short side makes its surroundings fine and not the whole.
+/// bounded rate, so that a short side makes its surroundings fine and not the whole. Beside a side it is no less than half
+/// of it, whatever is near: sides are not divided, and small facets there would be slivers.
 class Slab_sizing {
  public:
-  /// \param growth length per length, > 0
-  Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth);
+  /// \param growth length per length away from short sides, > 0
+  /// \param decline the same away from long ones
+  Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline);
 
   [[nodiscard]] double operator()(const Point_3& p) const;
   /// The same in the plane of a side, of its rings alone.
   [[nodiscard]] double at_plane(std::size_t side, const Point_2& p) const;
-  [[nodiscard]] double smallest() const { return smallest_; }
-  [[nodiscard]] double largest() const { return largest_; }
+  [[nodiscard]] double smallest() const { return smallest_; }  ///< a bound
+  [[nodiscard]] double largest() const { return largest_; }    ///< where no side is longer
 
  private:
-  std::array<Segment_tree, 2> trees_;
-  double growth_, height_, smallest_, largest_;
+  std::array<Segment_tree, 2> upper_;  ///< bounds from above
+  std::array<Segment_tree, 2> lower_;  ///< bounds from below, negated
+  double growth_, decline_, height_, smallest_, largest_;
 };
 
 }  // namespace cgal_blend

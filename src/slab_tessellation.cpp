@@ -16,8 +16,10 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double growth = 0.35;  // of facets with the distance from finer ones
-constexpr int attempts = 4;      // each with cells half as wide and half as near the planes
+constexpr double growth = 0.35;       // of facets with the distance from finer ones
+constexpr double decline = 0.7;       // from coarser ones
+constexpr int attempts = 4;           // each with cells half as wide and half as near the planes
+constexpr int attempts_to_reach = 2;  // where a piece of surface does not lead to the other side
 
 std::size_t ring_vertices(const Hermite_transition& psi, std::size_t side) {
   std::size_t count = 0;
@@ -85,6 +87,7 @@ class Tessellator {
     for (int attempt = 0; attempt < attempts; ++attempt, contour.fineness *= 2, contour.gap /= 2) {
       result = {};
       std::optional<Blend_mesh> mesh = coarse_mesh(contour, result.diagnosis);
+      if (short_of_other_side_ && attempt + 1 >= attempts_to_reach) return result;
       if (!mesh) continue;
       if (!remesh(*mesh)) {
         result.diagnosis = {Status::cancelled, "", std::nullopt, std::nullopt};
@@ -99,7 +102,8 @@ class Tessellator {
   }
 
  private:
-  std::optional<Blend_mesh> coarse_mesh(const Contour_options& options, Diagnosis& diagnosis) const {
+  std::optional<Blend_mesh> coarse_mesh(const Contour_options& options, Diagnosis& diagnosis) {
+    short_of_other_side_ = false;
     const auto refuse = [&](const std::optional<Point_3>& where, const char* why) {
       diagnosis = {Status::openings_not_joined, why, where, std::nullopt};
       return std::nullopt;
@@ -108,15 +112,17 @@ class Tessellator {
     if (contour.escape) return refuse(contour.escape, "the transition leaves the space between the openings");
     Joined_rings joined = join_rings(psi_, contour);
     if (joined.gap) return refuse(joined.gap, "no transition leaves this ring");
-    if (const auto v = keep_joined(joined, lower_, rings_))
+    if (const auto v = keep_joined(joined, lower_, rings_)) {
+      short_of_other_side_ = true;
       return refuse(joined.points[*v], "the transition from this ring does not reach the other side");
+    }
     std::optional<Blend_mesh> mesh = mesh_of(joined);
     if (!mesh) diagnosis = {Status::blend_folds, "the transition touches itself", joined.points.front(), std::nullopt};
     return mesh;
   }
 
   bool remesh(Blend_mesh& mesh) const {
-    const Slab_sizing sizing(psi_, options_, growth);
+    const Slab_sizing sizing(psi_, options_, growth, decline);
     Remeshing_target target;
     target.function = [this](const Point_3& p) { return psi_(p); };
     target.size = [&sizing](const Point_3& p) { return sizing(p); };
@@ -144,7 +150,8 @@ class Tessellator {
 
   const Hermite_transition& psi_;
   const Slab_options& options_;
-  std::size_t lower_, rings_;
+  std::size_t lower_, rings_;  ///< numbers of vertices
+  bool short_of_other_side_ = false;
 };
 
 }  // namespace

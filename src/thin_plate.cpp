@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cgal_blend {
 
@@ -16,7 +17,7 @@ namespace {
 constexpr int order = Thin_plate_tree::order;
 constexpr double root_half = 8;    // the tree reaches so far about centres in [-1, 1]; beyond it sums directly
 constexpr double near_halves = 3;  // what is nearer to the middle of a cell is summed there
-constexpr std::size_t leaf_centres = 12;
+constexpr std::size_t leaf_centres = 32;
 constexpr double least_half = 1e-6;
 constexpr double pi = 3.14159265358979323846;
 
@@ -51,6 +52,29 @@ const Chebyshev_grid& grid() {
   return result;
 }
 
+/// Some terms of a spline, side by side in memory.
+struct Centres {
+  Eigen::ArrayXd x, y, weights;
+
+  Centres(const Thin_plate& spline, const std::vector<int>& chosen) {
+    const auto n = static_cast<Eigen::Index>(chosen.size());
+    x.resize(n);
+    y.resize(n);
+    weights.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const int c = chosen[static_cast<std::size_t>(i)];
+      x[i] = spline.x()[c];
+      y[i] = spline.y()[c];
+      weights[i] = spline.weights()[c];
+    }
+  }
+  /// Not at a centre.
+  [[nodiscard]] double sum(double u, double v) const {
+    const auto squared = (x - u).square() + (y - v).square();
+    return 0.5 * (weights * squared * squared.log()).sum();
+  }
+};
+
 }  // namespace
 
 Thin_plate::Thin_plate(const std::vector<Point_2>& centres, const Eigen::VectorXd& values) {
@@ -81,10 +105,10 @@ Thin_plate::Thin_plate(const std::vector<Point_2>& centres, const Eigen::VectorX
 
 double Thin_plate::operator()(const Point_2& p) const {
   const Eigen::Vector2d q = local(p);
-  double sum = linear_[0] + linear_[1] * q.x() + linear_[2] * q.y();
-  for (Eigen::Index i = 0; i < x_.size(); ++i)
-    sum += weights_[i] * plate(CGAL::square(q.x() - x_[i]) + CGAL::square(q.y() - y_[i]));
-  return sum;
+  const auto squared = (x_ - q.x()).square() + (y_ - q.y()).square();
+  const double tiny = std::numeric_limits<double>::min();  // at a centre: 0 * log(tiny)
+  return linear_[0] + linear_[1] * q.x() + linear_[2] * q.y() +
+         0.5 * (weights_ * squared * squared.max(tiny).log()).sum();
 }
 
 Thin_plate_tree::Thin_plate_tree(const Thin_plate& spline) : spline_(spline) {
@@ -100,14 +124,14 @@ int Thin_plate_tree::add(double x, double y, double half, const std::vector<int>
     const bool near = std::max(std::abs(spline_.x()[i] - x), std::abs(spline_.y()[i] - y)) < near_halves * half;
     (near ? node.near : far_away).push_back(i);
   }
+  const Centres far_centres(spline_, far_away);
   Square_matrix values;
   for (int j = 0; j < order; ++j)
     for (int i = 0; i < order; ++i) {
       const double u = x + half * grid().places[i], v = y + half * grid().places[j];
-      double sum = parent < 0 ? spline_.linear().dot(Eigen::Vector3d(1, u, v))
-                              : far(nodes_[static_cast<std::size_t>(parent)], u, v);
-      for (const int c : far_away) sum += term(c, u, v);
-      values(i, j) = sum;
+      const double sum = parent < 0 ? spline_.linear().dot(Eigen::Vector3d(1, u, v))
+                                    : far(nodes_[static_cast<std::size_t>(parent)], u, v);
+      values(i, j) = sum + far_centres.sum(u, v);
     }
   node.far = grid().transform * values * grid().transform.transpose();
   const int index = static_cast<int>(nodes_.size());

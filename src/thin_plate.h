@@ -41,13 +41,13 @@ class Thin_plate {
 /// The same function at a cost that hardly grows with the number of centres: a quadtree whose leaves sum the few centres
 /// near them term by term, and hold the others as a Chebyshev polynomial, handed down from cell to cell.
 /// What is far lies at least three half-widths from a cell's middle, where phi is analytic within the ellipse of Bernstein of
-/// 2 + sqrt(5): the error falls by 4.2 with each degree, to 1e-7 of the sum of the terms' sizes for degree 11.
+/// 2 + sqrt(5): the error falls by 4.2 with each degree, to 1e-6 of the sum of the terms' sizes for degree 9.
 class Thin_plate_tree {
  public:
   explicit Thin_plate_tree(const Thin_plate& spline);
   [[nodiscard]] double operator()(const Point_2& p) const;
 
-  static constexpr int order = 12;  ///< coefficients each way
+  static constexpr int order = 10;  ///< coefficients each way
 
  private:
   using Coefficients = Eigen::Matrix<double, order, order>;

@@ -33,7 +33,7 @@ using Opening_model = std::function<Planar_function(const std::vector<Ring>&)>;
 struct Rbf_options {
   double rho = 0;  ///< value and distance of the offset points, length units, > 0; 0: half the mean edge of the rings
   double tolerance =
-      1e-3;  ///< largest value at the vertices of the rings, of the mean edge; centres are added until it
+      1e-2;  ///< largest value at the vertices of the rings, of the mean edge; centres are added until it
              ///< is met, so that large openings stay tractable
 };
 
