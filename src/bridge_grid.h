@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_BLEND_SRC_BRIDGE_GRID_H
+#define CGAL_BLEND_SRC_BRIDGE_GRID_H
+
+#include "bridge_side.h"
+#include "bridge_surface.h"
+
+#include <array>
+#include <vector>
+
+namespace cgal_blend {
+
+/// A bridge's surface, sampled: columns at parameters s, rows at t from 0 to 1.
+class Bridge_grid {
+ public:
+  /// Chooses the columns. \param sides live as long as the grid
+  Bridge_grid(const std::array<const Bridge_side*, 2>& sides, double turn, const Bridge_shape& shape,
+              const Bridge_options& options);
+
+  /// Evaluates all points, on rows that are chosen anew if the tolerance decides.
+  void evaluate(const Bridge_shape& shape);
+
+  [[nodiscard]] Bridge_column column(double s) const;
+  [[nodiscard]] const std::vector<double>& s() const { return s_; }
+  [[nodiscard]] const std::vector<double>& t() const { return t_; }
+  /// Row by row, t().size() x s().size().
+  [[nodiscard]] const std::vector<Point_3>& points() const { return points_; }
+  [[nodiscard]] double turn() const { return turn_; }
+  /// Larger of the contacts' sizes.
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] const Bridge_side& side(std::size_t end) const { return *sides_[end]; }
+
+ private:
+  void choose_columns(const Bridge_shape& shape);
+  void choose_rows(const Bridge_shape& shape);
+  [[nodiscard]] bool fine_enough(double from, double to, const Bridge_shape& shape) const;
+
+  std::array<const Bridge_side*, 2> sides_;
+  double turn_, size_, tolerance_;
+  std::size_t segments_, rows_;  // asked for; 0: by the tolerance
+  std::vector<double> s_, t_;
+  std::vector<Bridge_column> columns_;
+  std::vector<Point_3> points_;
+};
+
+}  // namespace cgal_blend
+
+#endif
