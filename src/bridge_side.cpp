@@ -5,6 +5,8 @@
 #include "nearest_face.h"
 #include "refusal.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
