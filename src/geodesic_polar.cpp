@@ -5,6 +5,7 @@
 #include "polar_chart.h"
 #include "refusal.h"
 #include "region_mesh.h"
+#include "unfold_chart.h"
 
 #include <CGAL/squared_distance_3.h>
 
@@ -135,6 +136,16 @@ void Geodesic_polar::Impl::build(const Face_point& source, const Geodesic_polar_
   field = one_ring(region, vertex, zero);
   propagate(region, limit, *field);
   chart.emplace(region, *field, radius, limit);
+  if (!chart->is_one_to_one()) {
+    const double fold = chart->bound().fold;
+    const Geodesic_field straight = *field;
+    unfold_chart(region, limit, *field);
+    chart.emplace(region, *field, radius, limit);
+    if (chart->bound().fold <= fold) {
+      *field = straight;
+      chart.emplace(region, *field, radius, limit);
+    }
+  }
   judge();
 }
 
