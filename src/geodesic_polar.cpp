@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cgal_blend/geodesic_polar.h>
 
+#include "fill_holes.h"
 #include "geodesic_field.h"
 #include "polar_chart.h"
 #include "refusal.h"
@@ -91,7 +92,7 @@ struct Geodesic_polar::Impl {
   Impl(const Blend_mesh& mesh, double radius) : region(mesh), radius(radius), safe_radius(0) {}
 
   void build(const Face_point& source, const Geodesic_polar_options& options);
-  std::int32_t select(const Face_point& source);
+  std::int32_t select(const Face_point& source, bool fills_holes);
   void judge();
 
   Region_mesh region;
@@ -102,7 +103,7 @@ struct Geodesic_polar::Impl {
 };
 
 /// Takes the triangles that geodesics up to the limit can meet: straight lines are not longer than geodesics.
-std::int32_t Geodesic_polar::Impl::select(const Face_point& source) {
+std::int32_t Geodesic_polar::Impl::select(const Face_point& source, bool fills_holes) {
   const Blend_mesh& mesh = region.mesh();
   Ball ball{to_vec(position(mesh, source)), radius};
   double squared = squared_longest(corners_of(mesh, source.face));
@@ -118,12 +119,14 @@ std::int32_t Geodesic_polar::Impl::select(const Face_point& source) {
   limit = radius + 2 * length;
   ball.radius = limit;
   const auto count = static_cast<std::int32_t>(region.triangles().size());
-  region.grow(source.face, [&](Face f) { return ball.meets(corners_of(mesh, f)); });
+  const auto grow = [&] { region.grow(source.face, [&](Face f) { return ball.meets(corners_of(mesh, f)); }); };
+  grow();
+  while (fills_holes && fill_holes(region, [&](const auto& c) { return ball.meets(c); })) grow();
   return all_short ? count : 0;
 }
 
 void Geodesic_polar::Impl::build(const Face_point& source, const Geodesic_polar_options& options) {
-  const std::int32_t first_long = select(source);
+  const std::int32_t first_long = select(source, options.fill_holes);
   const std::int32_t vertex = insert(region, source);
   const Ball ball{region.points()[vertex], limit};
   region.refine(first_long, length, [&](const auto& c) { return ball.meets(c); });
