@@ -28,37 +28,42 @@ double height_over(double base, double p, double q) {
   return product > 0 ? 0.5 * std::sqrt(product) / base : 0;
 }
 
-/// An edge from vertex i to j with their coordinates, and vertex k to its left; lengths.
+/// An edge from vertex i to j with their coordinates, and vertex k to its left.
 struct Step {
   Value i, j;
-  double edge;           // length
-  double along, across;  // place of k in the frame of the edge
+  Vec edge, way;  ///< from i to j, from i to k
 };
+
+double square(double x) { return x * x; }
+
+/// The straight way to k leaves the edge, or there is none: the shortest way bends at a vertex, and keeps its angle.
+bool bend(const Step& s, double bound, Value& k) {
+  const double over_i = s.i.distance + s.way.norm();
+  const double over_j = s.j.distance + (s.way - s.edge).norm();
+  if (!(std::min(over_i, over_j) < bound)) return false;
+  k = over_i <= over_j ? Value{over_i, s.i.angle} : Value{over_j, s.j.angle};
+  return true;
+}
 
 /// Coordinates at k seen from the virtual source over the edge, if they are less than a bound.
 bool advance(const Step& s, double bound, Value& k) {
-  const double e = s.edge;
   const double difference = s.i.distance - s.j.distance, sum = s.i.distance + s.j.distance;
-  if (std::abs(difference) <= e && sum >= e) {
-    const double x = 0.5 * (difference * sum / e + e), y = height_over(e, s.i.distance, s.j.distance);
-    const double left = x * s.across + y * s.along, right = (e - x) * s.across + y * (e - s.along);
-    if (left >= 0 && right >= 0) {
-      const double distance = std::hypot(s.along - x, s.across + y);
-      if (!(distance < bound)) return false;
-      const double over = y * (s.across + y);
-      const double from_i = std::atan2(left, over - x * (s.along - x));
-      const double to_j = std::atan2(right, over + (e - x) * (s.along - x));
-      const double whole = from_i + to_j;
-      const double share = whole > 0 ? from_i / whole : 0.5;
-      k = {distance, wrapped(s.i.angle + share * turn(s.i.angle, s.j.angle))};
-      return true;
-    }
-  }
-  // The straight way leaves the edge: the shortest one bends at a vertex, and keeps its angle.
-  const double over_i = s.i.distance + std::hypot(s.along, s.across);
-  const double over_j = s.j.distance + std::hypot(e - s.along, s.across);
-  if (!(std::min(over_i, over_j) < bound)) return false;
-  k = over_i <= over_j ? Value{over_i, s.i.angle} : Value{over_j, s.j.angle};
+  const double squared_edge = s.edge.squaredNorm(), dot = s.edge.dot(s.way);
+  if (!(square(difference) <= squared_edge && square(sum) >= squared_edge)) return bend(s, bound, k);
+  // By the law of cosines, without the part that is never negative: most steps lead back and end here.
+  if (square(s.i.distance) + s.way.squaredNorm() - dot * (difference * sum / squared_edge + 1) >= square(bound))
+    return false;
+  const double e = std::sqrt(squared_edge), along = dot / e, across = s.edge.cross(s.way).norm() / e;
+  const double x = 0.5 * (difference * sum / e + e), y = height_over(e, s.i.distance, s.j.distance);
+  const double left = x * across + y * along, right = (e - x) * across + y * (e - along);
+  if (left < 0 || right < 0) return bend(s, bound, k);
+  const double distance = std::sqrt(square(along - x) + square(across + y));
+  if (!(distance < bound)) return false;
+  const double over = y * (across + y);
+  const double from_i = std::atan2(left, over - x * (along - x));
+  const double whole = from_i + std::atan2(right, over + (e - x) * (along - x));
+  const double share = whole > 0 ? from_i / whole : 0.5;
+  k = {distance, wrapped(s.i.angle + share * turn(s.i.angle, s.j.angle))};
   return true;
 }
 
@@ -92,9 +97,7 @@ class Propagation {
     Value& value = field_.at[k];
     if (field_.at[i].distance == 0 || field_.at[j].distance == 0) return;  // k has its value from the start
     const Vec& origin = region_.points()[i];
-    const Vec edge = region_.points()[j] - origin, way = region_.points()[k] - origin;
-    const double length = edge.norm();
-    const Step step{field_.at[i], field_.at[j], length, edge.dot(way) / length, edge.cross(way).norm() / length};
+    const Step step{field_.at[i], field_.at[j], region_.points()[j] - origin, region_.points()[k] - origin};
     if (!advance(step, value.distance * (1 - least_gain), value)) return;
     queue_.emplace(value.distance, k);
   }

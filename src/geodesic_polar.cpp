@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cgal_blend/geodesic_polar.h>
 
+#include "fill_holes.h"
 #include "geodesic_field.h"
 #include "polar_chart.h"
 #include "refusal.h"
 #include "region_mesh.h"
+#include "unfold_chart.h"
 
 #include <CGAL/squared_distance_3.h>
 
@@ -38,8 +40,8 @@ std::array<Vec, 3> corners_of(const Blend_mesh& mesh, Face face) {
           to_vec(mesh.point(mesh.target(mesh.next(g))))};
 }
 
-double longest_of(const std::array<Vec, 3>& c) {
-  return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+double squared_longest(const std::array<Vec, 3>& c) {
+  return std::max({(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});
 }
 
 /// A ball that selects triangles.
@@ -52,7 +54,7 @@ struct Ball {
                                         (c[2] - centre).squaredNorm()};
     const double nearest = *std::min_element(squared.begin(), squared.end());
     if (nearest <= radius * radius) return true;
-    if (std::sqrt(nearest) > radius + longest_of(c)) return false;
+    if (std::sqrt(nearest) > radius + std::sqrt(squared_longest(c))) return false;
     return CGAL::squared_distance(
                to_point(centre), Kernel::Triangle_3(to_point(c[0]), to_point(c[1]), to_point(c[2]))) <= radius * radius;
   }
@@ -90,39 +92,44 @@ struct Geodesic_polar::Impl {
   Impl(const Blend_mesh& mesh, double radius) : region(mesh), radius(radius), safe_radius(0) {}
 
   void build(const Face_point& source, const Geodesic_polar_options& options);
-  void select(const Face_point& source);
+  std::int32_t select(const Face_point& source, bool fills_holes);
   void judge();
 
   Region_mesh region;
   std::optional<Geodesic_field> field;
   std::optional<Polar_chart> chart;
   Diagnosis diagnosis;
-  double radius, safe_radius, limit = 0;
+  double radius, safe_radius, length = 0, limit = 0;
 };
 
 /// Takes the triangles that geodesics up to the limit can meet: straight lines are not longer than geodesics.
-void Geodesic_polar::Impl::select(const Face_point& source) {
+std::int32_t Geodesic_polar::Impl::select(const Face_point& source, bool fills_holes) {
   const Blend_mesh& mesh = region.mesh();
   Ball ball{to_vec(position(mesh, source)), radius};
-  double longest = longest_of(corners_of(mesh, source.face));
+  double squared = squared_longest(corners_of(mesh, source.face));
   region.grow(source.face, [&](Face f) {
     const auto c = corners_of(mesh, f);
     if (!ball.meets(c)) return false;
-    longest = std::max(longest, longest_of(c));
+    squared = std::max(squared, squared_longest(c));
     return true;
   });
   // Triangles that meet the disk end within one length of it, and those around them within two.
-  const double length = std::min(longest, longest_edge * radius);
+  const bool all_short = std::sqrt(squared) <= longest_edge * radius;
+  length = all_short ? std::sqrt(squared) : longest_edge * radius;
   limit = radius + 2 * length;
   ball.radius = limit;
-  region.grow(source.face, [&](Face f) { return ball.meets(corners_of(mesh, f)); });
+  const auto count = static_cast<std::int32_t>(region.triangles().size());
+  const auto grow = [&] { region.grow(source.face, [&](Face f) { return ball.meets(corners_of(mesh, f)); }); };
+  grow();
+  while (fills_holes && fill_holes(region, [&](const auto& c) { return ball.meets(c); })) grow();
+  return all_short ? count : 0;
 }
 
 void Geodesic_polar::Impl::build(const Face_point& source, const Geodesic_polar_options& options) {
-  select(source);
+  const std::int32_t first_long = select(source, options.fill_holes);
   const std::int32_t vertex = insert(region, source);
   const Ball ball{region.points()[vertex], limit};
-  region.refine((limit - radius) / 2, [&](const auto& c) { return ball.meets(c); });
+  region.refine(first_long, length, [&](const auto& c) { return ball.meets(c); });
   const Vec zero = options.zero_direction
                        ? Vec(options.zero_direction->x(), options.zero_direction->y(), options.zero_direction->z())
                        : Vec(Vec::Zero());
@@ -135,6 +142,16 @@ void Geodesic_polar::Impl::build(const Face_point& source, const Geodesic_polar_
   field = one_ring(region, vertex, zero);
   propagate(region, limit, *field);
   chart.emplace(region, *field, radius, limit);
+  if (!chart->is_one_to_one()) {
+    const double fold = chart->bound().fold;
+    const Geodesic_field straight = *field;
+    unfold_chart(region, limit, *field);
+    chart.emplace(region, *field, radius, limit);
+    if (chart->bound().fold <= fold) {
+      *field = straight;
+      chart.emplace(region, *field, radius, limit);
+    }
+  }
   judge();
 }
 

@@ -185,9 +185,10 @@ void Region_mesh::divide_longest(std::int32_t triangle) {
   }
 }
 
-void Region_mesh::refine(double length, const std::function<bool(const std::array<Vec, 3>&)>& belongs) {
+void Region_mesh::refine(std::int32_t first, double length,
+                         const std::function<bool(const std::array<Vec, 3>&)>& belongs) {
   const double limit = length * length;
-  for (std::int32_t t = 0; t < static_cast<std::int32_t>(triangles_.size());)
+  for (std::int32_t t = first; t < static_cast<std::int32_t>(triangles_.size());)
     if (longest_edge(t).squared_length > limit && belongs(corners(t)))
       divide_longest(t);
     else

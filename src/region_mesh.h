@@ -36,9 +36,9 @@ class Region_mesh {
   /// slot + 2, and the triangles on both sides; returns the new vertex.
   std::int32_t divide(std::int32_t triangle, int slot, double share, const Vec& at);
 
-  /// Divides triangles by their longest edges until no one that passes the test has an edge longer than a length
-  /// (Rivara's longest-edge propagation: no angle is less than half the least one before).
-  void refine(double length, const std::function<bool(const std::array<Vec, 3>&)>& belongs);
+  /// Divides triangles from the first to be looked at on by their longest edges until no one that passes the test has an
+  /// edge longer than a length (Rivara's longest-edge propagation: no angle is less than half the least one before).
+  void refine(std::int32_t first, double length, const std::function<bool(const std::array<Vec, 3>&)>& belongs);
 
   [[nodiscard]] const Blend_mesh& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<Vec>& points() const { return points_; }
