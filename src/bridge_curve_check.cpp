@@ -15,6 +15,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr int corners = 720;  // of the polygon that stands for the curve
+constexpr int closer = 32;    // parts of its sides, near the largest distances
 
 using Polygon = std::vector<Kernel::Point_2>;
 
@@ -26,6 +27,21 @@ std::vector<Polar_point> sampled(const Polar_curve& curve) {
   return points;
 }
 
+/// The largest distance may lie between the corners of the polygon: looks closer where these are farthest.
+double largest_distance(const Polar_curve& curve, const std::vector<Polar_point>& points) {
+  double largest = 0;
+  for (int i = 0; i < corners; ++i) {
+    const double at = points[static_cast<std::size_t>(i)].distance;
+    largest = std::max(largest, at);
+    if (at < points[static_cast<std::size_t>((i + 1) % corners)].distance ||
+        at < points[static_cast<std::size_t>((i + corners - 1) % corners)].distance)
+      continue;
+    for (int k = 1; k < 2 * closer; ++k)
+      largest = std::max(largest, curve((i + static_cast<double>(k) / closer - 1) / corners).distance);
+  }
+  return largest;
+}
+
 }  // namespace
 
 Curve_check check_curve(const Polar_curve& curve, bool round_point) {
@@ -35,8 +51,8 @@ Curve_check check_curve(const Polar_curve& curve, bool round_point) {
   for (const Polar_point& p : points) {
     if (!(p.distance > 0) || !std::isfinite(p.distance) || !std::isfinite(p.angle))
       return refused(Status::invalid_parameter, "the contact curve must be finite and keep away from the spot");
-    result.largest = std::max(result.largest, p.distance);
   }
+  result.largest = largest_distance(curve, points);
   // A ring becomes plane with a hole of its own size.
   const double hole = round_point ? 0 : result.largest;
   Polygon polygon;

@@ -17,7 +17,7 @@ namespace cgal_blend {
 namespace {
 
 constexpr double snap_of_size = 1e-4;      // stations so near to a vertex or an edge are moved there
-constexpr double reach = 1 + 1e-9;         // of the coordinates, over the largest distance on the curve
+constexpr double reach = 1 + 1e-4;         // of the coordinates, over the largest distance on the curve
 constexpr std::size_t fewest_points = 32;  // of a contact curve
 constexpr int most_halvings = 6;
 constexpr int most_repairs = 8;  // of a polyline that does not arrive, by more points
