@@ -15,6 +15,9 @@ namespace cgal_blend {
 
 namespace {
 
+constexpr std::size_t fewest_guarded_rows = 4;  // of facets
+constexpr double clearance = 2;                 // of rows from those at the contacts, over the height of their arcs
+
 Bridge_cut begin_cut(const Blend_mesh& mesh, const std::vector<const Bridge_side*>& sides) {
   Bridge_cut cut;
   cut.mesh = mesh;
@@ -37,30 +40,30 @@ void append(std::vector<Item>& to, const std::vector<Item>& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// The triangles of one bridge, on vertices of the mesh, to which it adds those between the contacts.
+/// The triangles of one bridge, on vertices of the mesh, to which it adds those between the contacts. Rows next to a
+/// contact have a vertex for each one of the rim, on the same ray, so that their facets lean as those of the mesh do.
 class Bridge_sewing {
  public:
   Bridge_sewing(Blend_mesh& mesh, const Bridge_grid& grid, const Rim& first, const Rim& second)
       : mesh_(mesh), grid_(grid) {
-    Point_line before = line(first, grid.side(0).parameters, [](double s) { return s; });
-    const std::size_t columns = grid.s().size();
-    for (std::size_t row = 1; row + 1 < grid.t().size(); ++row) {
-      Point_line inner{{}, grid.s()};
-      for (std::size_t i = 0; i < columns; ++i)
-        inner.vertices.push_back(add(mesh.add_vertex(grid.points()[row * columns + i])));
-      join_rows(before, inner, true, 0, soup_);
-      before = std::move(inner);
+    const std::size_t rows = grid.t().size() - 1;
+    const bool guarded = rows >= fewest_guarded_rows;
+    std::vector<Point_line> lines{rim_line(0, first)};
+    for (std::size_t row = 1; row < rows; ++row) {
+      if (guarded && (row == 1 || row + 1 == rows)) {
+        const std::size_t end = row == 1 ? 0 : 1;
+        lines.push_back(guard_line(end, end == 0 ? first : second, grid.t()[row]));
+      } else if (!guarded || clear_of_ends(row)) {
+        lines.push_back(inner_line(row));
+      }
     }
-    const Point_line last =
-        line(second, grid.side(1).parameters, [&](double s) { return opposite_parameter(s, grid.turn()); });
-    join_rows(before, last, true, 0, soup_);
+    lines.push_back(rim_line(1, second));
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i) join_rows(lines[i], lines[i + 1], true, 0, soup_);
   }
 
   [[nodiscard]] std::vector<Triangle> triangles() const {
     std::vector<Triangle> result;
-    for (const auto& t : soup_.triangles)
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
-        result.push_back({vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]});
+    for (const auto& t : soup_.triangles) result.push_back({vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]});
     return result;
   }
 
@@ -70,14 +73,59 @@ class Bridge_sewing {
     return soup_.add(mesh_.point(v));
   }
 
-  template <class Parameter>
-  Point_line line(const Rim& rim, const std::vector<double>& parameters, const Parameter& parameter) {
+  /// Vertices by ascending parameter of the bridge.
+  template <class Make>
+  Point_line line(std::size_t end, const Rim& rim, const Make& make) {
+    const std::vector<double>& parameters = grid_.side(end).parameters;
     Trim_curve curve;
     for (std::size_t i = 0; i < rim.vertices.size(); ++i) {
-      curve.vertices.push_back(add(rim.vertices[i]));
-      curve.parameters.push_back(parameter(parameters[i]));
+      const double s = end == 0 ? parameters[i] : opposite_parameter(parameters[i], grid_.turn());
+      curve.vertices.push_back(add(make(rim.vertices[i], s)));
+      curve.parameters.push_back(s);
     }
     return ascending(curve);
+  }
+
+  Point_line rim_line(std::size_t end, const Rim& rim) {
+    return line(end, rim, [](Vertex v, double) { return v; });
+  }
+
+  Point_line guard_line(std::size_t end, const Rim& rim, double t) {
+    return line(end, rim, [&](Vertex v, double s) {
+      return mesh_.add_vertex(to_point(grid_.point_from_rim(end, s, t, to_vec(mesh_.point(v)))));
+    });
+  }
+
+  [[nodiscard]] Vec at(std::size_t row, std::size_t column) const {
+    const std::size_t columns = grid_.s().size();
+    return to_vec(grid_.points()[row * columns + column % columns]);
+  }
+
+  /// Largest height of the arcs that the chords of a row stand for.
+  [[nodiscard]] double arc_height(std::size_t row) const {
+    double height = 0;
+    for (std::size_t i = 0; i < grid_.s().size(); ++i)
+      height = std::max(height, (at(row, i) - 2 * at(row, i + 1) + at(row, i + 2)).norm() / 8);
+    return height;
+  }
+
+  /// False for rows so near to the rows at the contacts that their longer chords could cut through those.
+  [[nodiscard]] bool clear_of_ends(std::size_t row) const {
+    const std::size_t last = grid_.t().size() - 1;
+    for (const std::size_t end : {std::size_t{1}, last - 1}) {
+      const double least = clearance * arc_height(end);
+      for (std::size_t i = 0; i < grid_.s().size(); ++i)
+        if ((at(row, i) - at(end, i)).norm() < least) return false;
+    }
+    return true;
+  }
+
+  Point_line inner_line(std::size_t row) {
+    Point_line result{{}, grid_.s()};
+    const std::size_t columns = grid_.s().size();
+    for (std::size_t i = 0; i < columns; ++i)
+      result.vertices.push_back(add(mesh_.add_vertex(grid_.points()[row * columns + i])));
+    return result;
   }
 
   Blend_mesh& mesh_;

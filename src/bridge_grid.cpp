@@ -33,6 +33,20 @@ Bridge_column Bridge_grid::column(double s) const {
   return {{sides_[0]->ray(s), sides_[1]->ray(opposite_parameter(s, turn_))}};
 }
 
+Vec Bridge_grid::point_from_rim(std::size_t end, double s, double t, const Vec& place) const {
+  const double f = hartmann(t, shape_.mu, shape_.order);
+  const std::array<double, 2> x{1 - t * (1 - shape_.lambda[0]), 1 - (1 - t) * (1 - shape_.lambda[1])};
+  const auto above = static_cast<std::size_t>(std::upper_bound(s_.begin(), s_.end(), s) - s_.begin());
+  const std::size_t n = s_.size(), low = (above + n - 1) % n, high = above % n;
+  const double from = s_[low] > s ? s_[low] - 1 : s_[low], to = s_[high] <= s ? s_[high] + 1 : s_[high];
+  const double part = (s - from) / (to - from);
+  const Vec other =
+      (1 - part) * columns_[low].ray[1 - end].point(x[1 - end]) + part * columns_[high].ray[1 - end].point(x[1 - end]);
+  const double own = end == 0 ? s : opposite_parameter(s, turn_);
+  const Vec base = sides_[end]->near_contact(own, x[end], place);
+  return end == 0 ? Vec(f * base + (1 - f) * other) : Vec(f * other + (1 - f) * base);
+}
+
 void Bridge_grid::choose_columns(const Bridge_shape& shape) {
   const std::size_t n = segments_ > 0 ? segments_ : fewest_columns;
   const auto add = [&](double s, Bridge_column column) {
@@ -101,6 +115,7 @@ void Bridge_grid::choose_rows(const Bridge_shape& shape) {
 }
 
 void Bridge_grid::evaluate(const Bridge_shape& shape) {
+  shape_ = shape;
   if (rows_ == 0 || t_.empty()) choose_rows(shape);
   points_.clear();
   points_.reserve(t_.size() * columns_.size());

@@ -21,6 +21,10 @@ class Bridge_grid {
   void evaluate(const Bridge_shape& shape);
 
   [[nodiscard]] Bridge_column column(double s) const;
+  /// Point of the surface on the ray of an end that starts in a vertex of its rim; of the other end's base surface it
+  /// takes what is halfway between columns, which counts for little near the rim.
+  /// \param s parameter of the bridge; `place` of the vertex
+  [[nodiscard]] Vec point_from_rim(std::size_t end, double s, double t, const Vec& place) const;
   [[nodiscard]] const std::vector<double>& s() const { return s_; }
   [[nodiscard]] const std::vector<double>& t() const { return t_; }
   /// Row by row, t().size() x s().size().
@@ -41,6 +45,7 @@ class Bridge_grid {
   std::vector<double> s_, t_;
   std::vector<Bridge_column> columns_;
   std::vector<Point_3> points_;
+  Bridge_shape shape_;  // of the points
 };
 
 }  // namespace cgal_blend

@@ -67,20 +67,26 @@ Vec Ray_lifter::lifted(const Surface_point& at) const {
   return p + add / 2;
 }
 
-Vec Ray_lifter::knot(const Polar_point& at) const {
-  const auto place = polar_.locate(at);
-  if (!place) return to_vec(polar_.point(at));
-  return lifted({place->face, Eigen::Vector3d(place->weights[0], place->weights[1], place->weights[2])});
+std::optional<Vec> Ray_lifter::lifted(const Polar_point& at) const {
+  if (const auto place = polar_.locate(at))
+    return lifted({place->face, Eigen::Vector3d(place->weights[0], place->weights[1], place->weights[2])});
+  if (!holes_) return std::nullopt;
+  return to_vec(polar_.point(at));
 }
 
-Bridge_ray Ray_lifter::ray(const Polar_point& contact) const {
+Bridge_ray Ray_lifter::ray(const Polar_point& contact, const Vec& place) const {
   const auto steps = static_cast<std::size_t>(
       std::clamp(std::ceil(contact.distance / facet_), double(fewest_steps), double(most_steps)));
   std::vector<Vec> knots;
-  for (std::size_t i = 0; i <= steps; ++i)
-    knots.push_back(knot({contact.distance * static_cast<double>(i) / static_cast<double>(steps), contact.angle}));
+  Vec last = place;
+  for (std::size_t i = steps + 1; i-- > 0;) {
+    const double distance = contact.distance * static_cast<double>(i) / static_cast<double>(steps);
+    if (const auto at = lifted({distance, contact.angle})) last = *at;  // else as it was
+    knots.push_back(last);
+  }
+  std::reverse(knots.begin(), knots.end());
   // The contact lies on a facet. The same shift all along the ray leaves tangents and curvature as they are.
-  const Vec shift = to_vec(polar_.point(contact)) - knots.back();
+  const Vec shift = place - knots.back();
   for (Vec& k : knots) k += shift;
   return Bridge_ray(knots);
 }

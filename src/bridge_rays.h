@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace cgal_blend {
@@ -36,21 +37,24 @@ class Bridge_ray {
 class Ray_lifter {
  public:
   /// \param surface, polar of the same mesh; live as long as the lifter
-  Ray_lifter(const Base_surface& surface, const Geodesic_polar& polar, double facet)
-      : surface_(surface), polar_(polar), facet_(facet) {}
+  /// \param holes the region has filled holes
+  Ray_lifter(const Base_surface& surface, const Geodesic_polar& polar, double facet, bool holes)
+      : surface_(surface), polar_(polar), facet_(facet), holes_(holes) {}
 
   /// The ray from the source to a contact point; knots lie about a facet apart.
-  [[nodiscard]] Bridge_ray ray(const Polar_point& contact) const;
+  /// \param place of the contact, on the facets
+  [[nodiscard]] Bridge_ray ray(const Polar_point& contact, const Vec& place) const;
 
   /// Point of the curved triangle over a point of a face: quadratic, with the curvature that the normals have.
   [[nodiscard]] Vec lifted(const Surface_point& at) const;
+  /// The same for coordinates; in a filled hole its own point; none where there are no coordinates.
+  [[nodiscard]] std::optional<Vec> lifted(const Polar_point& at) const;
 
  private:
-  [[nodiscard]] Vec knot(const Polar_point& at) const;
-
   const Base_surface& surface_;
   const Geodesic_polar& polar_;
   double facet_;  // mean edge length within the region
+  bool holes_;
 };
 
 }  // namespace cgal_blend

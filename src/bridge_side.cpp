@@ -118,10 +118,26 @@ double mean_edge(const Bridge_side& side) {
   return count > 0 ? sum / static_cast<double>(count) : side.size;
 }
 
+/// True if there are coordinates all over the region.
+bool is_covered(const Bridge_side& side) {
+  constexpr int directions = 128, steps = 8;
+  for (int i = 0; i < directions; ++i) {
+    const Polar_point at = side.curve(static_cast<double>(i) / directions);
+    for (int k = 1; k <= steps; ++k)
+      if (!side.lifter().lifted(Polar_point{at.distance * k / steps, at.angle})) return false;
+  }
+  return true;
+}
+
 /// What follows once the curve is known to be sound and there are coordinates.
 void finish_side(Bridge_side& side, const Bridge_options& options) {
   side.diagnosis = side.polar->diagnosis();
+  side.holes = options.fill_holes;
   if (!side.diagnosis.ok()) return;
+  if (!is_covered(side)) {
+    side.diagnosis.status = Status::radius_exceeds_cut_locus;
+    return;
+  }
   side.facet = mean_edge(side);
   side.diagnosis = lay_rim(side, options);
 }
@@ -138,6 +154,17 @@ Bridge_side begin_side(const Base_surface& surface, const Bridge_end& end, bool 
 }
 
 }  // namespace
+
+Vec Bridge_side::contact(double s) const {
+  const auto at = polar->locate(curve(s));
+  return to_vec(at ? position(surface->mesh(), *at) : polar->point(curve(s)));
+}
+
+Vec Bridge_side::near_contact(double s, double x, const Vec& place) const {
+  const Polar_point end = curve(s);
+  const auto from = lifter().lifted(end), to = lifter().lifted(Polar_point{x * end.distance, end.angle});
+  return from && to ? Vec(place + *to - *from) : place;
+}
 
 double Bridge_side::tangency_deg() const {
   constexpr int samples = 64;

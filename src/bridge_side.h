@@ -22,10 +22,15 @@ struct Bridge_side {
   double size = 0;   ///< largest distance of the contact curve from the source, length units
   double facet = 0;  ///< mean edge length along the contact curve
   Rim rim;
+  bool holes = false;              ///< the region has filled holes
   std::vector<double> parameters;  ///< of the curve, per station of the rim, in [0, 1)
 
-  [[nodiscard]] Vec contact(double s) const { return to_vec(polar->point(curve(s))); }
-  [[nodiscard]] Bridge_ray ray(double s) const { return Ray_lifter(*surface, *polar, facet).ray(curve(s)); }
+  [[nodiscard]] Ray_lifter lifter() const { return {*surface, *polar, facet, holes}; }
+
+  [[nodiscard]] Vec contact(double s) const;
+  [[nodiscard]] Bridge_ray ray(double s) const { return lifter().ray(curve(s), contact(s)); }
+  /// Point of the ray at x in [0, 1] that ends in a given point of the contact curve.
+  [[nodiscard]] Vec near_contact(double s, double x, const Vec& place) const;
   /// Largest angle between a tangent plane of the rays along the contact curve and the mesh's own, degrees.
   [[nodiscard]] double tangency_deg() const;
 };
