@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geodesic_field.h"
 
+#include "front_step.h"
+#include "run_fronts.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <utility>
 
 namespace cgal_blend {
@@ -14,100 +16,21 @@ namespace {
 
 using Value = Geodesic_field::Value;
 
-// A distance must fall by this share for its vertex to be visited again; of the order of the rounding errors of one step.
-constexpr double least_gain = 4e-16;
+/// Steps of fronts around a point.
+struct Point_front {
+  const Region_mesh& region;
+  Geodesic_field& field;
 
-/// Twice the area of a triangle by its sides over the first of them: its height; zero if there is no such triangle.
-/// Source: Kahan, Miscalculating area and angles of a needle-like triangle (2014), section 2.
-double height_over(double base, double p, double q) {
-  double a = base, b = p, c = q;
-  if (a < b) std::swap(a, b);
-  if (b < c) std::swap(b, c);
-  if (a < b) std::swap(a, b);
-  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  return product > 0 ? 0.5 * std::sqrt(product) / base : 0;
-}
-
-/// An edge from vertex i to j with their coordinates, and vertex k to its left.
-struct Step {
-  Value i, j;
-  Vec edge, way;  ///< from i to j, from i to k
-};
-
-double square(double x) { return x * x; }
-
-/// The straight way to k leaves the edge, or there is none: the shortest way bends at a vertex, and keeps its angle.
-bool bend(const Step& s, double bound, Value& k) {
-  const double over_i = s.i.distance + s.way.norm();
-  const double over_j = s.j.distance + (s.way - s.edge).norm();
-  if (!(std::min(over_i, over_j) < bound)) return false;
-  k = over_i <= over_j ? Value{over_i, s.i.angle} : Value{over_j, s.j.angle};
-  return true;
-}
-
-/// Coordinates at k seen from the virtual source over the edge, if they are less than a bound.
-bool advance(const Step& s, double bound, Value& k) {
-  const double difference = s.i.distance - s.j.distance, sum = s.i.distance + s.j.distance;
-  const double squared_edge = s.edge.squaredNorm(), dot = s.edge.dot(s.way);
-  if (!(square(difference) <= squared_edge && square(sum) >= squared_edge)) return bend(s, bound, k);
-  // By the law of cosines, without the part that is never negative: most steps lead back and end here.
-  if (square(s.i.distance) + s.way.squaredNorm() - dot * (difference * sum / squared_edge + 1) >= square(bound))
-    return false;
-  const double e = std::sqrt(squared_edge), along = dot / e, across = s.edge.cross(s.way).norm() / e;
-  const double x = 0.5 * (difference * sum / e + e), y = height_over(e, s.i.distance, s.j.distance);
-  const double left = x * across + y * along, right = (e - x) * across + y * (e - along);
-  if (left < 0 || right < 0) return bend(s, bound, k);
-  const double distance = std::sqrt(square(along - x) + square(across + y));
-  if (!(distance < bound)) return false;
-  const double over = y * (across + y);
-  const double from_i = std::atan2(left, over - x * (along - x));
-  const double whole = from_i + std::atan2(right, over + (e - x) * (along - x));
-  const double share = whole > 0 ? from_i / whole : 0.5;
-  k = {distance, wrapped(s.i.angle + share * turn(s.i.angle, s.j.angle))};
-  return true;
-}
-
-class Propagation {
- public:
-  Propagation(const Region_mesh& region, double limit, Geodesic_field& field)
-      : region_(region), limit_(limit), field_(field) {
-    for (const std::int32_t v : field.fixed) queue_.emplace(field.at[v].distance, v);
+  /// Improves the coordinates of vertex k from those of i and j, which see it to the left of their edge.
+  bool operator()(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    const Value &at_i = field.at[i], &at_j = field.at[j];
+    if (at_i.distance == 0 || at_j.distance == 0) return false;  // k has its value from the start
+    const Edge_view view{region.points()[j] - region.points()[i], region.points()[k] - region.points()[i]};
+    const Arrival arrival = around_point(view, at_i.distance, at_j.distance, field.at[k].distance * (1 - least_gain));
+    if (!arrival.improves) return false;
+    field.at[k] = {arrival.distance, between(at_i.angle, at_j.angle, arrival.share)};
+    return true;
   }
-
-  void run() {
-    while (!queue_.empty() && queue_.top().first <= limit_) {
-      const auto [distance, vertex] = queue_.top();
-      queue_.pop();
-      if (distance != field_.at[vertex].distance) continue;  // found shorter since
-      const std::int32_t v = vertex;
-      region_.for_star(v, [&](std::int32_t t, int slot) { visit(t, slot); });
-    }
-  }
-
- private:
-  /// The edges from the corner in a slot to its two neighbours.
-  void visit(std::int32_t t, int slot) {
-    const auto& corner = region_.triangles()[t].corner;
-    const std::int32_t v = corner[slot], next = corner[(slot + 1) % 3], last = corner[(slot + 2) % 3];
-    update(v, next, last);
-    update(last, v, next);
-  }
-
-  void update(std::int32_t i, std::int32_t j, std::int32_t k) {
-    Value& value = field_.at[k];
-    if (field_.at[i].distance == 0 || field_.at[j].distance == 0) return;  // k has its value from the start
-    const Vec& origin = region_.points()[i];
-    const Step step{field_.at[i], field_.at[j], region_.points()[j] - origin, region_.points()[k] - origin};
-    if (!advance(step, value.distance * (1 - least_gain), value)) return;
-    queue_.emplace(value.distance, k);
-  }
-
-  using Entry = std::pair<double, std::int32_t>;
-
-  const Region_mesh& region_;
-  double limit_;
-  Geodesic_field& field_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
 /// The angle of a direction at a vertex, as one_ring counts them before scaling: in the triangle of its star that the
@@ -157,6 +80,11 @@ double turn(double from, double to) {
   return way;
 }
 
+double between(double from, double to, double share) {
+  if (share == 0 || share == 1) return share == 0 ? from : to;
+  return wrapped(from + share * turn(from, to));
+}
+
 Geodesic_field one_ring(const Region_mesh& region, std::int32_t source, const Vec& zero_direction) {
   Geodesic_field field(region.points().size());
   const std::vector<std::int32_t> star = region.star(source);
@@ -178,7 +106,7 @@ Geodesic_field one_ring(const Region_mesh& region, std::int32_t source, const Ve
 }
 
 void propagate(const Region_mesh& region, double limit, Geodesic_field& field) {
-  Propagation(region, limit, field).run();
+  run_fronts(region, limit, field, Point_front{region, field});
 }
 
 }  // namespace cgal_blend

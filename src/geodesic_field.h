@@ -28,6 +28,8 @@ struct Geodesic_field {
 [[nodiscard]] double wrapped(double angle);
 /// The way from one angle to another, in (-pi, pi].
 [[nodiscard]] double turn(double from, double to);
+/// The angle at a share of that way, in [0, 2 pi).
+[[nodiscard]] double between(double from, double to, double share);
 
 /// Gives the vertices next to a source vertex their coordinates: lengths of edges, and angles around the vertex scaled
 /// to 2 pi, from a direction or, if that is zero, from the first edge on. The source is all surrounded by triangles.

@@ -12,13 +12,18 @@
 
 namespace cgal_blend {
 
-/// A plane or, if periodic, a cylinder over which a region lies: the vertices at (x, y), the triangles straight between.
+/// Which plane a region lies over.
+enum class Chart_kind {
+  disk,  ///< around a point: vertices at (d cos a, d sin a), so that the chart of a plane is exact
+  band   ///< along a curve: vertices at (a, d), periodic in a, so that the chart along a straight line is exact
+};
+
+/// A region laid out by its polar coordinates; its triangles are straight in the plane of the chart.
 class Polar_chart {
  public:
   using Point = Kernel::Point_2;
 
-  /// Vertices at (d cos a, d sin a), so that the chart of a plane is exact.
-  Polar_chart(const Region_mesh& region, const Geodesic_field& field, double radius, double limit);
+  Polar_chart(const Region_mesh& region, const Geodesic_field& field, Chart_kind kind, double radius, double limit);
 
   /// Where the chart stops to be one to one, and why.
   struct Bound {
@@ -43,12 +48,15 @@ class Polar_chart {
   [[nodiscard]] bool is_upright(std::int32_t triangle) const;
   void find_folds();
   void find_rim();
+  [[nodiscard]] bool is_upright_in_band(std::int32_t triangle) const;
   [[nodiscard]] std::array<Point, 3> corners(std::int32_t triangle) const;
-  [[nodiscard]] std::array<int, 4> cells_of(std::int32_t triangle) const;
-  [[nodiscard]] int cell(double coordinate) const;
+  template <class Visitor>
+  void for_cells(std::int32_t triangle, const Visitor& visit) const;
+  [[nodiscard]] std::array<int, 2> cell(const Point& p) const;
 
   const Region_mesh& region_;
   const Geodesic_field& field_;
+  Chart_kind kind_;
   double radius_, limit_;
   std::vector<Point> points_;  // by vertex
   std::vector<char> used_;     // by triangle

@@ -101,6 +101,40 @@ std::vector<std::int32_t> Region_mesh::star(std::int32_t vertex) const {
   return triangles;
 }
 
+std::pair<std::int32_t, int> Region_mesh::edge(std::int32_t from, std::int32_t to) const {
+  std::pair<std::int32_t, int> found{-1, 0};
+  for_star(from, [&](std::int32_t t, int slot) {
+    if (triangles_[t].corner[(slot + 1) % 3] == to) found = {t, (slot + 2) % 3};
+  });
+  return found;
+}
+
+std::vector<char> Region_mesh::connected_to(std::int32_t vertex) const {
+  std::vector<char> reached(triangles_.size(), 0);
+  std::vector<std::int32_t> stack{triangle_at_[vertex]};
+  reached[stack.back()] = 1;
+  while (!stack.empty()) {
+    const std::int32_t t = stack.back();
+    stack.pop_back();
+    for (const std::int32_t u : triangles_[t].beyond) {
+      if (u < 0 || reached[u]) continue;
+      reached[u] = 1;
+      stack.push_back(u);
+    }
+  }
+  return reached;
+}
+
+void Region_mesh::cut(std::int32_t triangle, int slot) {
+  Triangle& first = triangles_[triangle];
+  const std::int32_t other = first.beyond[slot];
+  first.beyond[slot] = seam;
+  triangle_at_[first.corner[(slot + 1) % 3]] = triangle_at_[first.corner[(slot + 2) % 3]] = triangle;
+  if (other < 0) return;
+  for (int i = 0; i < 3; ++i)
+    if (triangles_[other].beyond[i] == triangle) triangles_[other].beyond[i] = seam;
+}
+
 std::int32_t Region_mesh::leaf_of(std::int32_t triangle) {
   if (leaf_[triangle] < 0) {
     leaf_[triangle] = static_cast<std::int32_t>(divisions_.size());
@@ -125,7 +159,7 @@ std::int32_t Region_mesh::halve(std::int32_t triangle, int slot, std::int32_t ve
   if (beyond >= 0)
     for (std::int32_t& back : triangles_[beyond].beyond)
       if (back == triangle) back = half;
-  triangle_at_[second.corner[c]] = half;
+  if (triangle_at_[second.corner[c]] == triangle) triangle_at_[second.corner[c]] = half;
   triangle_at_[vertex] = half;
 
   const std::int32_t node = leaf_of(triangle);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace cgal_blend {
@@ -19,12 +20,12 @@ class Region_mesh {
  public:
   static constexpr std::int32_t unknown = -1;  ///< beyond an edge: faces that are not part of the region
   static constexpr std::int32_t border = -2;   ///< beyond an edge: nothing
-  static constexpr std::int32_t no_face = -1;
+  static constexpr std::int32_t seam = -3;     ///< beyond an edge: the region was cut there
 
   struct Triangle {
     std::array<std::int32_t, 3> corner;  ///< counter-clockwise seen from outside
     std::array<std::int32_t, 3>
-        beyond;  ///< the triangle over the edge opposite of each corner, or `unknown` or `border`
+        beyond;  ///< the triangle over the edge opposite of each corner, or `unknown`, `border` or `seam`
   };
 
   explicit Region_mesh(const Blend_mesh& mesh);
@@ -40,6 +41,11 @@ class Region_mesh {
   /// edge longer than a length (Rivara's longest-edge propagation: no angle is less than half the least one before).
   void refine(std::int32_t first, double length, const std::function<bool(const std::array<Vec, 3>&)>& belongs);
 
+  /// The triangle to the left of an edge between two vertices, and the slot opposite of it; -1 if there is none.
+  [[nodiscard]] std::pair<std::int32_t, int> edge(std::int32_t from, std::int32_t to) const;
+  /// Separates the triangles on both sides of an edge; from now on the one given is at the edge's ends.
+  void cut(std::int32_t triangle, int slot);
+
   [[nodiscard]] const Blend_mesh& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<Vec>& points() const { return points_; }
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -51,6 +57,9 @@ class Region_mesh {
   /// Same, each passed to a function with the slot of the vertex, in no certain order.
   template <class Visitor>
   void for_star(std::int32_t vertex, const Visitor& visit) const;
+
+  /// Marks the triangles that can be reached from those around a vertex over edges.
+  [[nodiscard]] std::vector<char> connected_to(std::int32_t vertex) const;
 
   /// Number of a vertex of the mesh; -1 if it is not there.
   [[nodiscard]] std::int32_t local(Vertex v) const { return vertex_of_[v.idx()]; }

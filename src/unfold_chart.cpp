@@ -12,8 +12,8 @@ constexpr int angle_rounds = 12, place_rounds = 12;
 
 class Unfolding {
  public:
-  Unfolding(const Region_mesh& region, double limit, Geodesic_field& field)
-      : region_(region), limit_(limit), field_(field) {
+  Unfolding(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field)
+      : region_(region), kind_(kind), limit_(limit), field_(field) {
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(region.triangles().size()); ++t)
       if (is_folded(t)) folded_.push_back(t);
   }
@@ -27,13 +27,15 @@ class Unfolding {
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d place(std::int32_t v) const {
+  /// The place of a vertex in the chart, in a band relative to an angle.
+  [[nodiscard]] Eigen::Vector2d place(std::int32_t v, double around) const {
     const auto& [distance, angle] = field_.at[v];
+    if (kind_ == Chart_kind::band) return {around + turn(around, angle), distance};
     return {distance * std::cos(angle), distance * std::sin(angle)};
   }
 
-  [[nodiscard]] Kernel::Point_2 point(std::int32_t v) const {
-    const Eigen::Vector2d p = place(v);
+  [[nodiscard]] Kernel::Point_2 point(std::int32_t v, double around) const {
+    const Eigen::Vector2d p = place(v, around);
     return {p.x(), p.y()};
   }
 
@@ -41,7 +43,9 @@ class Unfolding {
     const auto& corner = region_.triangles()[t].corner;
     for (const std::int32_t v : corner)
       if (!(field_.at[v].distance <= limit_)) return false;
-    return CGAL::orientation(point(corner[0]), point(corner[1]), point(corner[2])) != CGAL::LEFT_TURN;
+    const double around = field_.at[corner[0]].angle;
+    return CGAL::orientation(point(corner[0], around), point(corner[1], around), point(corner[2], around)) !=
+           CGAL::LEFT_TURN;
   }
 
   /// The corners of folded triangles, but the source and what has its coordinates from the start.
@@ -67,7 +71,7 @@ class Unfolding {
       inside = inside && field_.at[w].distance <= limit_ && region_.triangles()[t].beyond[(slot + 2) % 3] >= 0;
       if (!inside) return;
       turns += turn(angle, field_.at[w].angle);
-      sum += place(w);
+      sum += place(w, angle);
       ++count;
     });
     if (!inside) return;
@@ -76,8 +80,8 @@ class Unfolding {
       return;
     }
     sum /= count;
-    distance = sum.norm();
-    angle = wrapped(std::atan2(sum.y(), sum.x()));
+    distance = kind_ == Chart_kind::band ? sum.y() : sum.norm();
+    angle = wrapped(kind_ == Chart_kind::band ? sum.x() : std::atan2(sum.y(), sum.x()));
   }
 
   /// The folded ones among those that were or that meet what was moved.
@@ -90,6 +94,7 @@ class Unfolding {
   }
 
   const Region_mesh& region_;
+  Chart_kind kind_;
   double limit_;
   Geodesic_field& field_;
   std::vector<std::int32_t> folded_;
@@ -97,8 +102,8 @@ class Unfolding {
 
 }  // namespace
 
-void unfold_chart(const Region_mesh& region, double limit, Geodesic_field& field) {
-  Unfolding(region, limit, field).run();
+void unfold_chart(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field) {
+  Unfolding(region, kind, limit, field).run();
 }
 
 }  // namespace cgal_blend
