@@ -4,6 +4,8 @@
 #include "corefinement.h"
 #include "stitching.h"
 
+#include <cgal_blend/face_origin.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>

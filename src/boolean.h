@@ -4,7 +4,8 @@
 
 #include "cell_map.h"
 
-#include <cgal_blend/fillet.h>
+#include <cgal_blend/boolean_operation.h>
+#include <cgal_blend/status.h>
 
 #include <optional>
 #include <vector>

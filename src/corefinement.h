@@ -5,7 +5,7 @@
 #include "cell_map.h"
 #include "share_planes.h"
 
-#include <cgal_blend/fillet.h>
+#include <cgal_blend/boolean_operation.h>
 
 #include <array>
 #include <cstddef>

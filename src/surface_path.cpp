@@ -260,8 +260,8 @@ void tidy(std::vector<Draft>& path, std::vector<std::size_t>& owner, double snap
 }  // namespace
 
 std::optional<Surface_path> closed_path(const Base_surface& surface, const std::vector<Surface_point>& points,
-                                        double snap, std::size_t& stuck) {
-  const Path_builder builder(surface, {snap});
+                                        double snap, std::size_t& stuck, bool cross_creases) {
+  const Path_builder builder(surface, {snap, cross_creases});
   std::vector<Draft> given, drafts;
   for (std::size_t i = 0; i < points.size(); ++i)
     given.push_back(builder.snapped(draft_at(surface, points[i], i)));

@@ -32,9 +32,10 @@ struct Surface_path {
 /// Joins points of a surface to a closed polyline on it: between consecutive points along the plane section through
 /// both that contains the mean normal. Stations nearer than `snap` to a vertex or an edge are moved onto it, so that
 /// no sliver is cut off. Returns nothing where a section does not arrive, with the index of the point not reached in `stuck`.
+/// \param cross_creases sharp edges are no barrier
 [[nodiscard]] std::optional<Surface_path> closed_path(const Base_surface& surface,
                                                       const std::vector<Surface_point>& points, double snap,
-                                                      std::size_t& stuck);
+                                                      std::size_t& stuck, bool cross_creases = false);
 
 /// What an open path may do.
 struct Path_rules {

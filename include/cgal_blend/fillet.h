@@ -3,6 +3,8 @@
 #define CGAL_BLEND_FILLET_H
 
 #include <cgal_blend/blend_mesh.h>
+#include <cgal_blend/boolean_operation.h>
+#include <cgal_blend/face_origin.h>
 #include <cgal_blend/profile.h>
 #include <cgal_blend/radius_law.h>
 #include <cgal_blend/status.h>
@@ -12,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -59,8 +60,6 @@ struct Fillet_options {
   std::function<bool(double)> progress;
 };
 
-enum class Boolean_operation { union_, intersection, difference };
-
 /// What became of one blending curve: a closed one, or a branch between ends and corners.
 struct Blend_report {
   /// `max_radius` is found by trial with the radii of all blends of the call in proportion, so that it works for all of
@@ -94,9 +93,6 @@ struct Stage_times {
   double copy = 0;     ///< copying the whole mesh and putting it in order: linear in its size, whatever is blended
   double validate = 0;
 };
-
-/// Stands for the origin of a face that is no part of a face of the input.
-inline constexpr std::uint32_t no_origin = std::numeric_limits<std::uint32_t>::max();
 
 /// A blend of one mesh as the engines produce it.
 struct Fillet_outcome {

@@ -10,6 +10,7 @@ namespace cgal_blend::cli {
 
 void add_boolean_commands(CLI::App& app, int& exit_status);
 void add_fillet_command(CLI::App& app, int& exit_status);
+void add_bridge_command(CLI::App& app, int& exit_status);
 void add_check_command(CLI::App& app, int& exit_status);
 void add_curvature_command(CLI::App& app, int& exit_status);
 void add_intersect_quadrics_command(CLI::App& app, int& exit_status);

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   int exit_status = 0;
   cgal_blend::cli::add_boolean_commands(app, exit_status);
   cgal_blend::cli::add_fillet_command(app, exit_status);
+  cgal_blend::cli::add_bridge_command(app, exit_status);
   cgal_blend::cli::add_check_command(app, exit_status);
   cgal_blend::cli::add_curvature_command(app, exit_status);
   cgal_blend::cli::add_intersect_quadrics_command(app, exit_status);

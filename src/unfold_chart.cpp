@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold_chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cgal_blend {
+
+namespace {
+
+constexpr int angle_rounds = 12, place_rounds = 12;
+
+class Unfolding {
+ public:
+  Unfolding(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field)
+      : region_(region), kind_(kind), limit_(limit), field_(field) {
+    for (std::int32_t t = 0; t < static_cast<std::int32_t>(region.triangles().size()); ++t)
+      if (is_folded(t)) folded_.push_back(t);
+  }
+
+  void run() {
+    for (int round = 0; round < angle_rounds + place_rounds && !folded_.empty(); ++round) {
+      const std::vector<std::int32_t> vertices = movable();
+      for (const std::int32_t v : vertices) move(v, round >= angle_rounds);
+      collect(vertices);
+    }
+  }
+
+ private:
+  /// The place of a vertex in the chart, in a band relative to an angle.
+  [[nodiscard]] Eigen::Vector2d place(std::int32_t v, double around) const {
+    const auto& [distance, angle] = field_.at[v];
+    if (kind_ == Chart_kind::band) return {around + turn(around, angle), distance};
+    return {distance * std::cos(angle), distance * std::sin(angle)};
+  }
+
+  [[nodiscard]] Kernel::Point_2 point(std::int32_t v, double around) const {
+    const Eigen::Vector2d p = place(v, around);
+    return {p.x(), p.y()};
+  }
+
+  [[nodiscard]] bool is_folded(std::int32_t t) const {
+    const auto& corner = region_.triangles()[t].corner;
+    for (const std::int32_t v : corner)
+      if (!(field_.at[v].distance <= limit_)) return false;
+    const double around = field_.at[corner[0]].angle;
+    return CGAL::orientation(point(corner[0], around), point(corner[1], around), point(corner[2], around)) !=
+           CGAL::LEFT_TURN;
+  }
+
+  /// The corners of folded triangles, but the source and what has its coordinates from the start.
+  [[nodiscard]] std::vector<std::int32_t> movable() const {
+    std::vector<std::int32_t> vertices;
+    for (const std::int32_t t : folded_)
+      for (const std::int32_t v : region_.triangles()[t].corner)
+        if (field_.at[v].distance > 0 && std::find(field_.fixed.begin(), field_.fixed.end(), v) == field_.fixed.end())
+          vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  void move(std::int32_t v, bool freely) {
+    auto& [distance, angle] = field_.at[v];
+    double turns = 0;
+    Eigen::Vector2d sum(0, 0);
+    int count = 0;
+    bool inside = true;
+    region_.for_star(v, [&](std::int32_t t, int slot) {
+      const std::int32_t w = region_.triangles()[t].corner[(slot + 1) % 3];  // inside: each neighbour once
+      inside = inside && field_.at[w].distance <= limit_ && region_.triangles()[t].beyond[(slot + 2) % 3] >= 0;
+      if (!inside) return;
+      turns += turn(angle, field_.at[w].angle);
+      sum += place(w, angle);
+      ++count;
+    });
+    if (!inside) return;
+    if (!freely) {
+      angle = wrapped(angle + turns / count);
+      return;
+    }
+    sum /= count;
+    distance = kind_ == Chart_kind::band ? sum.y() : sum.norm();
+    angle = wrapped(kind_ == Chart_kind::band ? sum.x() : std::atan2(sum.y(), sum.x()));
+  }
+
+  /// The folded ones among those that were or that meet what was moved.
+  void collect(const std::vector<std::int32_t>& vertices) {
+    for (const std::int32_t v : vertices) region_.for_star(v, [&](std::int32_t t, int) { folded_.push_back(t); });
+    std::sort(folded_.begin(), folded_.end());
+    folded_.erase(std::unique(folded_.begin(), folded_.end()), folded_.end());
+    folded_.erase(std::remove_if(folded_.begin(), folded_.end(), [&](std::int32_t t) { return !is_folded(t); }),
+                  folded_.end());
+  }
+
+  const Region_mesh& region_;
+  Chart_kind kind_;
+  double limit_;
+  Geodesic_field& field_;
+  std::vector<std::int32_t> folded_;
+};
+
+}  // namespace
+
+void unfold_chart(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field) {
+  Unfolding(region, kind, limit, field).run();
+}
+
+}  // namespace cgal_blend
