@@ -27,7 +27,7 @@ struct Fuse_command {
   std::string lower, upper;  // as typed: files with commas
   std::optional<std::string> lower_plane, upper_plane, place_upper, implicit, eta;
   std::optional<double> rho;
-  double step = 0.5, edge = 0, grading = 1;
+  double step = 0.2, edge = 0, grading = 1;
   std::string labels;
   Output_options output;
 
@@ -240,7 +240,7 @@ void add_shape(CLI::App& app, Fuse_command& o) {
                                        "The two free control values of w = eta(z), 0 to 1 [0.4,0.6: w = z]")
       ->type_name("A,B");
   add_number(app, "--step", o.step, 1e-3, 100, false,
-             "Distance of the shifted sections, of the rings' mean edge [0.5]");
+             "Distance of the shifted sections, of the rings' mean edge [0.2]");
   add_number(app, "--edge", o.edge, 0, 1e300, true, "Edge length of the transition, length units [that of the rings]");
   add_number(app, "--grading", o.grading, 1, 100, false, "How many times larger facets grow away from the rings [1]");
   app.add_option("--labels", o.labels, "Also write what each face is: kept, cut or transition, one line per face")
