@@ -185,7 +185,7 @@ class Remesher {
     CGAL::Euler::split_face(fresh, mesh_.next(mesh_.next(fresh)), mesh_);
     const Halfedge back = mesh_.opposite(h);
     CGAL::Euler::split_face(back, mesh_.next(mesh_.next(back)), mesh_);
-    if (const auto p = projected(mesh_.point(v), normal_[v], size_[v] / 2); p && may_move(v, *p)) {
+    if (const auto p = projected(mesh_.point(v), normal_[v], size_[v]); p && may_move(v, *p)) {
       mesh_.point(v) = *p;
       size_[v] = target_.size(*p);
     }
@@ -215,7 +215,6 @@ class Remesher {
 
   bool may_collapse(Halfedge h) const {
     const Vertex v = mesh_.source(h), w = mesh_.target(h);
-    if (!CGAL::Euler::does_satisfy_link_condition(mesh_.edge(h), mesh_)) return false;
     double sharpest_now = -1, sharpest_then = -1;
     for (const Halfedge g : CGAL::halfedges_around_source(v, mesh_)) {
       const Vertex a = mesh_.target(g), b = mesh_.target(mesh_.next(g));
@@ -226,7 +225,8 @@ class Remesher {
       if (uprightness(w, a, b) < std::min(least_cosine, uprightness(v, a, b))) return false;
       sharpest_then = std::max(sharpest_then, sharpness(w, a, b));
     }
-    return sharpest_then <= std::max(sharpest_now, sharp_limit);
+    return sharpest_then <= std::max(sharpest_now, sharp_limit) &&
+           CGAL::Euler::does_satisfy_link_condition(mesh_.edge(h), mesh_);
   }
 
   /// True if an inner edge between the vertices would lie in the plane of the borders.
@@ -305,7 +305,7 @@ class Remesher {
 
   void move(Vertex v, Vector_3 step) {
     for (int halving = 0; halving < 3; ++halving, step = step / 2) {
-      const auto p = projected(mesh_.point(v) + step, normal_[v], size_[v] / 2);
+      const auto p = projected(mesh_.point(v) + step, normal_[v], size_[v]);
       if (!p || !may_move(v, *p)) continue;
       mesh_.point(v) = *p;
       size_[v] = target_.size(*p);

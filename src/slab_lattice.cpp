@@ -198,13 +198,26 @@ class Contour {
     const std::uint64_t key = static_cast<std::uint64_t>(below.id) << 32 | above.id;
     const auto [entry, fresh] = crossings_.try_emplace(key, result_.points.size());
     if (fresh) {
-      // Not too near the ends, or the triangles there have no area.
-      const double t = std::clamp(below.value / (below.value - above.value), 0.02, 0.98);
-      const Point_3 &a = places_[below.id], &b = places_[above.id];
-      result_.points.push_back(a + t * (b - a));
+      result_.points.push_back(zero_between(places_[below.id], below.value, places_[above.id], above.value));
       result_.border.push_back(border(height_of_[below.id], height_of_[above.id]));
     }
     return entry->second;
+  }
+
+  /// Not too near the ends, or the triangles there have no area. Linear interpolation alone would leave the vertices of
+  /// coarse cells so far from the surface that no projection finds back.
+  Point_3 zero_between(const Point_3& p, double at_p, const Point_3& q, double at_q) const {
+    const Vector_3 d = q - p;
+    double low = 0, high = 1, t = at_p / (at_p - at_q);
+    const double enough = 0.01 * std::min(-at_p, at_q);
+    for (int i = 0; i < 8; ++i) {
+      const double value = psi_(p + t * d);
+      if (std::abs(value) <= enough) break;
+      (value < 0 ? low : high) = t;
+      (value < 0 ? at_p : at_q) = value;
+      t = i % 3 == 2 ? (low + high) / 2 : low + (high - low) * at_p / (at_p - at_q);
+    }
+    return p + std::clamp(t, 0.02, 0.98) * d;
   }
 
   Slab_contour::Border border(std::int64_t a, std::int64_t b) const {

@@ -67,8 +67,11 @@ double Slab_sizing::operator()(const Point_3& p) const {
   const std::array<double, 2> distance{p.z(), height_ - p.z()};
   double size = largest_;
   for (const std::size_t side : {0, 1})
-    if (const double away = growth_ * distance[side]; away < size) size = std::min(size, upper_[side](q) + away);
-  for (const std::size_t side : {0, 1}) size = std::max(size, -lower_[side](q) - decline_ * distance[side]);
+    if (const double away = growth_ * distance[side]; upper_[side].least_weight() + away < size)
+      size = std::min(size, upper_[side](q) + away);
+  for (const std::size_t side : {0, 1})
+    if (const double away = decline_ * distance[side]; - lower_[side].least_weight() - away > size)
+      size = std::max(size, -lower_[side](q) - away);
   return size;
 }
 
