@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slab_sizing.h"
 
+#include "ring_clearance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,9 +41,31 @@ std::vector<Weighted_segment> least_wanted(const std::vector<Ring>& rings) {
   return sides;
 }
 
+/// Pieces of the rings at which less than `reach` is clear on one side or the other.
+std::vector<Weighted_segment> narrow(const std::vector<Ring>& rings, double reach) {
+  const Ring_clearance clearance(rings);
+  std::vector<Weighted_segment> result;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const bool left_inside = interior_on_left(rings, r);
+    for (const auto& [a, b, weight] : sides_of({rings[r]})) {
+      const auto d = b - a;
+      const double length = std::sqrt(d.squared_length()), pieces = std::ceil(length / (2 * reach));
+      const Kernel::Vector_2 left(-d.y() / length, d.x() / length);
+      for (double k = 0; k < pieces; ++k) {
+        const Point_2 middle = a + (k + 0.5) / pieces * d;
+        const double clear =
+            std::min(clearance(middle, left, left_inside, reach), clearance(middle, -left, !left_inside, reach));
+        if (clear < reach) result.push_back({a + k / pieces * d, a + (k + 1) / pieces * d, 2 * clear});
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
-Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline)
+Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline,
+                         bool gaps)
     : upper_{Segment_tree(wanted(psi.rings(0), psi.height(), options), growth),
              Segment_tree(wanted(psi.rings(1), psi.height(), options), growth)},
       lower_{Segment_tree(least_wanted(psi.rings(0)), decline), Segment_tree(least_wanted(psi.rings(1)), decline)},
@@ -56,10 +80,21 @@ Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& opti
       largest_ = std::max(largest_, s.weight);
     }
   largest_ *= std::max(1.0, options.grading);
+  if (!gaps) return;
+  for (const std::size_t side : {0, 1}) {
+    gaps_.emplace_back(narrow(psi.rings(side), largest_ / 2), growth);
+    smallest_ = std::min(smallest_, gaps_.back().least_weight());
+  }
+}
+
+double Slab_sizing::gap(const Point_2& p, double size) const {
+  for (const Segment_tree& tree : gaps_)
+    if (tree.least_weight() < size) size = std::min(size, tree(p));
+  return size;
 }
 
 double Slab_sizing::at_plane(std::size_t side, const Point_2& p) const {
-  return std::max(std::min(largest_, upper_[side](p)), -lower_[side](p));
+  return gap(p, std::max(std::min(largest_, upper_[side](p)), -lower_[side](p)));
 }
 
 double Slab_sizing::operator()(const Point_3& p) const {
@@ -72,7 +107,7 @@ double Slab_sizing::operator()(const Point_3& p) const {
   for (const std::size_t side : {0, 1})
     if (const double away = decline_ * distance[side]; - lower_[side].least_weight() - away > size)
       size = std::max(size, -lower_[side](q) - away);
-  return size;
+  return gap(q, size);
 }
 
 }  // namespace cgal_blend

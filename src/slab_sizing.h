@@ -6,6 +6,7 @@
 #include "slab_tessellation.h"
 
 #include <array>
+#include <vector>
 
 namespace cgal_blend {
 
@@ -16,7 +17,8 @@ class Slab_sizing {
  public:
   /// \param growth length per length away from short sides, > 0
   /// \param decline the same away from long ones
-  Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline);
+  /// \param gaps no more than about half the width of gaps and walls between the rings either, at all heights there
+  Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline, bool gaps);
 
   [[nodiscard]] double operator()(const Point_3& p) const;
   /// The same in the plane of a side, of its rings alone.
@@ -25,6 +27,9 @@ class Slab_sizing {
   [[nodiscard]] double largest() const { return largest_; }    ///< where no side is longer
 
  private:
+  [[nodiscard]] double gap(const Point_2& p, double size) const;
+
+  std::vector<Segment_tree> gaps_;     ///< bounds from above for all heights
   std::array<Segment_tree, 2> upper_;  ///< bounds from above
   std::array<Segment_tree, 2> lower_;  ///< bounds from below, negated
   double growth_, decline_, height_, smallest_, largest_;

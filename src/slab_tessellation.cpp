@@ -18,7 +18,7 @@ namespace {
 
 constexpr double growth = 0.35;       // of facets with the distance from finer ones
 constexpr double decline = 0.7;       // from coarser ones
-constexpr int attempts = 4;           // each with cells half as wide and half as near the planes
+constexpr int attempts = 3;           // each with cells half as wide and half as near the planes
 constexpr int attempts_to_reach = 2;  // where a piece of surface does not lead to the other side
 
 std::size_t ring_vertices(const Hermite_transition& psi, std::size_t side) {
@@ -97,6 +97,7 @@ class Tessellator {
         write(*mesh, result);
         return result;
       }
+      crossed_ = true;
     }
     return result;
   }
@@ -122,7 +123,7 @@ class Tessellator {
   }
 
   bool remesh(Blend_mesh& mesh) const {
-    const Slab_sizing sizing(psi_, options_, growth, decline);
+    const Slab_sizing sizing(psi_, options_, growth, decline, crossed_);
     Remeshing_target target;
     target.function = [this](const Point_3& p) { return psi_(p); };
     target.size = [&sizing](const Point_3& p) { return sizing(p); };
@@ -152,6 +153,7 @@ class Tessellator {
   const Slab_options& options_;
   std::size_t lower_, rings_;  ///< numbers of vertices
   bool short_of_other_side_ = false;
+  bool crossed_ = false;  ///< facets have to be as fine as walls and gaps then
 };
 
 }  // namespace
