@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checks.h"
+#include "fusion_checks.h"
 #include "fusions.h"
 #include "shapes.h"
 
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -42,15 +44,6 @@ double profile_volume(int n, double r1, double r2, double slope1, double slope2,
 
 double frustum_volume(int n, double r0, double r1, double height) {
   return (r0 * r0 + r0 * r1 + r1 * r1) / 3 * height * n / 2 * std::sin(2 * pi / n);
-}
-
-void expect_valid(const Fuse_outcome& outcome, const Blend_mesh& mesh) {
-  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
-  const Validity_report report = validate(mesh);
-  EXPECT_TRUE(report.ok()) << message(report.diagnosis);
-  EXPECT_TRUE(is_closed_by_counting(mesh));
-  EXPECT_TRUE(has_single_fans(mesh));
-  EXPECT_EQ(outcome.changed_faces.size() + outcome.kept_faces, mesh.number_of_faces());
 }
 
 /// Faces of a side that its plane leaves whole, by the heights of their vertices.
@@ -101,6 +94,55 @@ INSTANTIATE_TEST_SUITE_P(Profiles, Fuse_coaxial,
                          testing::Values(Coaxial{1, 1, 0, 0, 2}, Coaxial{1, 0.6, 0, 0, 1.5},
                                          Coaxial{1, 1.3, 0.2, -0.3, 2}, Coaxial{1.2, 0.8, -0.3, 0.2, 3},
                                          Coaxial{1, 1, 0.4, -0.4, 0.7}));
+
+/// w = eta(t): the Bezier curve of degree 5 with two free control values.
+double eta_at(double t, const std::array<double, 2>& free) {
+  const double c[] = {0, 0.2, free[0], free[1], 0.8, 1};
+  const double binomial[] = {1, 5, 10, 10, 5, 1};
+  double w = 0;
+  for (int k = 0; k < 6; ++k) w += binomial[k] * std::pow(t, k) * std::pow(1 - t, 5 - k) * c[k];
+  return w;
+}
+
+/// Fuses cylinders of radius 1 and 0.5 at a distance of 1.5, and compares with the radius by height; returns the volume.
+double shaped_volume(const Fuse_options& options, const std::function<double(double)>& radius) {
+  const Blend_mesh low = frustum(1, 1, 48, -1.3, 0.4, 3), high = frustum(0.5, 0.5, 48, 1, 2.6, 3);
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, out, options);
+  expect_valid(outcome, out);
+  for (const Face f : outcome.transition_faces)
+    for (const std::size_t v : corners_of(out, f)) {
+      const Point_3& p = out.point(Vertex(v));
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), radius(p.z() / 1.5), 0.005);
+    }
+  return outcome.volume;
+}
+
+TEST(Fuse, shapes_by_eta) {
+  double last = 1e9;
+  for (const std::array<double, 2> eta : {std::array<double, 2>{0, 0}, {0.4, 0.6}, {1, 1}}) {
+    Fuse_options options;
+    options.eta = eta;
+    const double volume =
+        shaped_volume(options, [&](double t) { return profile_radius(eta_at(t, eta), 1, 0.5, 0, 0, 1.5); });
+    EXPECT_LT(volume, 0.99 * last) << "sections become narrow sooner";
+    last = volume;
+  }
+}
+
+TEST(Fuse, shapes_by_weights) {
+  double last = 0;
+  for (const double weight : {0.25, 1.0, 4.0}) {
+    Fuse_options options;
+    options.weight = {weight, 1};
+    const double volume = shaped_volume(options, [&](double w) {
+      const double f1 = weight * (w - 1) * (w - 1) * (1 + 2 * w), f2 = w * w * (3 - 2 * w);
+      return (f1 * 1 + f2 * 0.5) / (f1 + f2);
+    });
+    EXPECT_GT(volume, 1.05 * last) << "the wide side reaches further";
+    last = volume;
+  }
+}
 
 /// Openings on circles about the axis. Where both sides have several, turned against each other, the axis stays outside
 /// of all sections and the bodies join in a wreath about it: genus 1.
@@ -199,43 +241,6 @@ TEST(Fuse, joins_holes_without_planes) {
   const double expected =
       frustum_volume(40, 0.8, 1, 2) + profile_volume(40, 1, 0.7, 0.1, 0, 2.5) + 0.49 * 1.5 * 20 * std::sin(2 * pi / 40);
   EXPECT_NEAR(volume_of(out), expected, 0.005 * expected);
-}
-
-class Fuse_elbow : public testing::TestWithParam<double> {};
-
-TEST_P(Fuse_elbow, is_a_torus) {
-  const double angle = GetParam(), major = 1.4, minor = 0.5;
-  const Blend_mesh low = frustum(minor, minor, 48, -1, 0.3, 3), straight = frustum(minor, minor, 48, -0.3, 1, 3);
-  // The upper cylinder turned about the y axis through (major, 0, 0).
-  const Point_3 centre(major, 0, 0);
-  const Placement to = moved_by(major, 0, 0) * placement({0, 1, 0}, angle) * moved_by(-major, 0, 0);
-  const Blend_mesh high = transformed(straight, to);
-  const Cut_plane up{to.transform(Point_3(0, 0, 0)), -to.transform(Vector_3(0, 0, 1))};
-  Blend_mesh out;
-  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, up}, out);
-  expect_valid(outcome, out);
-  EXPECT_NEAR(outcome.angle, angle * 180 / pi, 1e-9);
-  EXPECT_NEAR(outcome.height, major * angle, 1e-3 * major * angle);
-  EXPECT_EQ(outcome.euler_characteristic, 2);
-  for (const Face f : outcome.transition_faces)
-    for (const std::size_t v : corners_of(out, f))
-      EXPECT_NEAR(distance_to_torus(out.point(Vertex(v)), centre, {0, 1, 0}, major, minor), 0, 0.01 * minor);
-  const double polygon = 24 * std::sin(2 * pi / 48) * minor * minor;
-  EXPECT_NEAR(outcome.volume, polygon * (2 + major * angle), 0.005 * outcome.volume);
-  EXPECT_LE(outcome.tangency_max, 360.0 / 48);
-}
-
-INSTANTIATE_TEST_SUITE_P(Angles, Fuse_elbow, testing::Values(0.02, pi / 6, pi / 2, 2 * pi / 3 - 1e-9));
-
-TEST(Fuse, keeps_tangents_of_cones_in_an_elbow) {
-  const Blend_mesh low = frustum(0.9, 0.5, 48, -1, 0.25, 4), straight = frustum(0.5, 0.9, 48, -0.25, 1, 4);
-  const Placement to = moved_by(1.5, 0.2, 0.1) * placement({0, 1, 0}, 1.2) * moved_by(-1.5, 0, 0);
-  const Blend_mesh high = transformed(straight, to);
-  const Cut_plane up{to.transform(Point_3(0, 0, 0)), -to.transform(Vector_3(0, 0, 1))};
-  Blend_mesh out;
-  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, up}, out);
-  expect_valid(outcome, out);
-  EXPECT_LE(outcome.tangency_max, 360.0 / 48);
 }
 
 TEST(Fuse, follows_rigid_motions_and_scale) {
