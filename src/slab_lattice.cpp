@@ -15,7 +15,7 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr std::size_t most_cells = 500'000;
+constexpr std::size_t most_cells = 120'000;
 
 /// A square face of the octree, as small as the smaller of its two cells: corners counterclockwise seen from outside.
 struct Square {
@@ -52,7 +52,10 @@ class Contour {
       const Lattice_cell cell = waiting_.back();
       waiting_.pop_back();
       march(cell);
-      if (seen_.size() > most_cells) result_.escape = octree_.place(cell.centre());
+      if (seen_.size() > most_cells) {
+        result_.escape = octree_.place(cell.centre());
+        result_.exhausted = true;
+      }
     }
     return std::move(result_);
   }

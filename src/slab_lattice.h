@@ -18,7 +18,8 @@ struct Slab_contour {
   std::vector<Point_3> points;
   std::vector<Border> border;  ///< per point: the end of the lattice that it lies on
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::optional<Point_3> escape;  ///< where the surface left the lattice sideways, or grew beyond all bounds
+  std::optional<Point_3> escape;  ///< where the surface left the lattice sideways
+  bool exhausted = false;         ///< it took more cells than can be kept; `escape` says where
 };
 
 struct Contour_options {

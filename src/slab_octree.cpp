@@ -17,7 +17,7 @@ constexpr std::int64_t most_units = std::int64_t{1} << 20;
 }  // namespace
 
 Slab_octree::Slab_octree(const Hermite_transition& psi, const Slab_options& sizes, const Contour_options& options)
-    : sizing_(psi, sizes, growth, growth, true), height_(psi.height()), fineness_(options.fineness), gap_(options.gap) {
+    : sizing_(psi, sizes, growth, growth, 1), height_(psi.height()), fineness_(options.fineness), gap_(options.gap) {
   CGAL::Bbox_2 box;
   for (const std::size_t side : {0, 1})
     for (const Ring& ring : psi.rings(side))

@@ -42,7 +42,7 @@ std::vector<Weighted_segment> least_wanted(const std::vector<Ring>& rings) {
 }
 
 /// Pieces of the rings at which less than `reach` is clear on one side or the other.
-std::vector<Weighted_segment> narrow(const std::vector<Ring>& rings, double reach) {
+std::vector<Weighted_segment> narrow(const std::vector<Ring>& rings, double reach, double widths) {
   const Ring_clearance clearance(rings);
   std::vector<Weighted_segment> result;
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -55,7 +55,7 @@ std::vector<Weighted_segment> narrow(const std::vector<Ring>& rings, double reac
         const Point_2 middle = a + (k + 0.5) / pieces * d;
         const double clear =
             std::min(clearance(middle, left, left_inside, reach), clearance(middle, -left, !left_inside, reach));
-        if (clear < reach) result.push_back({a + k / pieces * d, a + (k + 1) / pieces * d, 2 * clear});
+        if (clear < reach) result.push_back({a + k / pieces * d, a + (k + 1) / pieces * d, 2 * widths * clear});
       }
     }
   }
@@ -65,7 +65,7 @@ std::vector<Weighted_segment> narrow(const std::vector<Ring>& rings, double reac
 }  // namespace
 
 Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline,
-                         bool gaps)
+                         double gaps)
     : upper_{Segment_tree(wanted(psi.rings(0), psi.height(), options), growth),
              Segment_tree(wanted(psi.rings(1), psi.height(), options), growth)},
       lower_{Segment_tree(least_wanted(psi.rings(0)), decline), Segment_tree(least_wanted(psi.rings(1)), decline)},
@@ -80,9 +80,9 @@ Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& opti
       largest_ = std::max(largest_, s.weight);
     }
   largest_ *= std::max(1.0, options.grading);
-  if (!gaps) return;
+  if (!(gaps > 0)) return;
   for (const std::size_t side : {0, 1}) {
-    gaps_.emplace_back(narrow(psi.rings(side), largest_ / 2), growth);
+    gaps_.emplace_back(narrow(psi.rings(side), largest_ / 2, gaps), growth);
     smallest_ = std::min(smallest_, gaps_.back().least_weight());
   }
 }

@@ -17,8 +17,9 @@ class Slab_sizing {
  public:
   /// \param growth length per length away from short sides, > 0
   /// \param decline the same away from long ones
-  /// \param gaps no more than about half the width of gaps and walls between the rings either, at all heights there
-  Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline, bool gaps);
+  /// \param gaps no more than about so many half widths of gaps and walls between the rings either, at all heights
+  ///        there; 0: whatever their width
+  Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline, double gaps);
 
   [[nodiscard]] double operator()(const Point_3& p) const;
   /// The same in the plane of a side, of its rings alone.

@@ -16,10 +16,12 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double growth = 0.35;       // of facets with the distance from finer ones
-constexpr double decline = 0.7;       // from coarser ones
-constexpr int attempts = 3;           // each with cells half as wide and half as near the planes
-constexpr int attempts_to_reach = 2;  // where a piece of surface does not lead to the other side
+constexpr double growth = 0.35;         // of facets with the distance from finer ones
+constexpr double decline = 0.7;         // from coarser ones
+constexpr double facets_over_gaps = 2;  // half widths, where facets as large as elsewhere cut through each other
+constexpr int attempts = 3;             // each with cells half as wide and half as near the planes
+constexpr std::size_t most_vertices_again = 150'000;  // of a contour, for another attempt
+constexpr int attempts_to_reach = 2;                  // where a piece of surface does not lead to the other side
 
 std::size_t ring_vertices(const Hermite_transition& psi, std::size_t side) {
   std::size_t count = 0;
@@ -83,33 +85,38 @@ class Tessellator {
 
   Slab_tessellation run() {
     Slab_tessellation result;
-    Contour_options contour;
-    for (int attempt = 0; attempt < attempts; ++attempt, contour.fineness *= 2, contour.gap /= 2) {
-      result = {};
-      std::optional<Blend_mesh> mesh = coarse_mesh(contour, result.diagnosis);
-      if (short_of_other_side_ && attempt + 1 >= attempts_to_reach) return result;
+    for (int attempt = 0; attempt < attempts; ++attempt, contour_.fineness *= 2, contour_.gap /= 2) {
+      const std::optional<Blend_mesh> mesh = coarse_mesh(result.diagnosis);
+      if (exhausted_ || (short_of_other_side_ && attempt + 1 >= attempts_to_reach)) return result;
       if (!mesh) continue;
-      if (!remesh(*mesh)) {
-        result.diagnosis = {Status::cancelled, "", std::nullopt, std::nullopt};
+      for (const double gaps : {0.0, facets_over_gaps}) {
+        Blend_mesh fine = *mesh;
+        if (!remesh(fine, gaps)) {
+          result.diagnosis = {Status::cancelled, "", std::nullopt, std::nullopt};
+          return result;
+        }
+        if (!free_of_crossings(fine, result.diagnosis)) continue;
+        result.diagnosis = {};
+        write(fine, result);
         return result;
       }
-      if (free_of_crossings(*mesh, result.diagnosis)) {
-        write(*mesh, result);
-        return result;
-      }
-      crossed_ = true;
+      if (mesh->number_of_vertices() > most_vertices_again) return result;
     }
     return result;
   }
 
  private:
-  std::optional<Blend_mesh> coarse_mesh(const Contour_options& options, Diagnosis& diagnosis) {
+  /// A finer attempt that takes too much leaves the diagnosis of the coarser one.
+  std::optional<Blend_mesh> coarse_mesh(Diagnosis& diagnosis) {
     short_of_other_side_ = false;
     const auto refuse = [&](const std::optional<Point_3>& where, const char* why) {
       diagnosis = {Status::openings_not_joined, why, where, std::nullopt};
       return std::nullopt;
     };
-    const Slab_contour contour = contour_slab(psi_, options_, options);
+    const Slab_contour contour = contour_slab(psi_, options_, contour_);
+    exhausted_ = contour.exhausted;
+    if (exhausted_ && !diagnosis.ok()) return std::nullopt;
+    if (exhausted_) return refuse(contour.escape, "the transition needs too many facets for its walls or gaps");
     if (contour.escape) return refuse(contour.escape, "the transition leaves the space between the openings");
     Joined_rings joined = join_rings(psi_, contour);
     if (joined.gap) return refuse(joined.gap, "no transition leaves this ring");
@@ -122,8 +129,8 @@ class Tessellator {
     return mesh;
   }
 
-  bool remesh(Blend_mesh& mesh) const {
-    const Slab_sizing sizing(psi_, options_, growth, decline, crossed_);
+  bool remesh(Blend_mesh& mesh, double gaps) const {
+    const Slab_sizing sizing(psi_, options_, growth, decline, gaps);
     Remeshing_target target;
     target.function = [this](const Point_3& p) { return psi_(p); };
     target.size = [&sizing](const Point_3& p) { return sizing(p); };
@@ -153,7 +160,8 @@ class Tessellator {
   const Slab_options& options_;
   std::size_t lower_, rings_;  ///< numbers of vertices
   bool short_of_other_side_ = false;
-  bool crossed_ = false;  ///< facets have to be as fine as walls and gaps then
+  bool exhausted_ = false;
+  Contour_options contour_;
 };
 
 }  // namespace
