@@ -318,4 +318,35 @@ TEST(Fuse, takes_meshes_of_any_type) {
   EXPECT_EQ(num_faces(exact_out), 0u) << "refused: not touched";
 }
 
+TEST(Fuse, takes_points_from_maps) {
+  const Blend_mesh low = frustum(1, 1, 24, -1, 0.5, 4), high = frustum(0.7, 0.7, 24, 1, 3, 3);
+  Blend_mesh expected;
+  ASSERT_TRUE(unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, expected).ok());
+  Blend_mesh elsewhere = high;
+  auto points = elsewhere.add_property_map<Vertex, Point_3>("v:true_point").first;
+  for (const Vertex v : elsewhere.vertices()) {
+    points[v] = elsewhere.point(v);
+    elsewhere.point(v) = CGAL::ORIGIN;
+  }
+  Blend_mesh out;
+  auto out_points = out.add_property_map<Vertex, Point_3>("v:true_point").first;
+  const auto result = fuse(Fusion_side{{&low}, lower_plane}, Fusion_side{{&elsewhere}, upper_plane(1.5)}, out,
+                           Fuse_options(), CGAL::parameters::default_values(),
+                           CGAL::parameters::vertex_point_map(points), CGAL::parameters::vertex_point_map(out_points));
+  ASSERT_TRUE(result.ok()) << message(result.diagnosis);
+  EXPECT_TRUE(same_connectivity(out, expected));
+  for (const Vertex v : out.vertices()) EXPECT_EQ(out_points[v], expected.point(v));
+}
+
+TEST(Fuse, does_with_the_kept_side_just_below_a_lid) {
+  // The lid is nearer than the shifted section: there is none above, and the slope comes from below.
+  const Blend_mesh low = frustum(1.2, 1, 24, -1, 0.02, 3), high = frustum(0.7, 0.7, 24, 1, 3, 3);
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, out);
+  expect_valid(outcome, out);
+  EXPECT_TRUE(outcome.one_sided[0]);
+  EXPECT_FALSE(outcome.one_sided[1]);
+  EXPECT_LE(outcome.tangency_max, 360.0 / 24);
+}
+
 }  // namespace
