@@ -15,7 +15,8 @@ namespace cgal_blend {
 namespace {
 
 constexpr double longest = 4.0 / 3, shortest = 4.0 / 5;  // of the wanted length; Botsch and Kobbelt
-constexpr double least_cosine = 0.2;                     // of a face's normal with those at its vertices
+constexpr double pi = 3.14159265358979323846;
+constexpr double least_cosine = 0.2;  // of a face's normal with those at its vertices
 
 class Remesher {
  public:
@@ -313,16 +314,27 @@ class Remesher {
     }
   }
 
-  /// Angles last: flips, collapses and moves that make the sharpest angle around them less sharp.
+  /// Angles last: flips that make the sharpest of two faces less sharp, and moves, until none off the borders is too sharp.
   void polish() {
-    for (int pass = 0; pass < 4; ++pass) {
+    const double limit = std::cos(target_.least_angle * pi / 180);
+    for (int pass = 0; pass < 8 && (pass < 4 || sharpest_inside() > limit); ++pass) {
       while (flip(&Remesher::improves_angles) > mesh_.number_of_edges() / 1000) continue;
       relax();
     }
     flip(&Remesher::improves_angles);
   }
 
-  static constexpr double sharp_limit = 0.9848;  // cosine of 10 degrees
+  double sharpest_inside() const {
+    double result = -1;
+    for (const Face f : mesh_.faces()) {
+      const auto around = mesh_.vertices_around_face(mesh_.halfedge(f));
+      if (std::none_of(around.begin(), around.end(), [&](Vertex v) { return fixed_[v] != 0; }))
+        result = std::max(result, sharpness(corners(f)));
+    }
+    return result;
+  }
+
+  static constexpr double sharp_limit = 0.9848;  // cosine of 10 degrees: sharper faces are not made, only mended
 
   Blend_mesh& mesh_;
   const Remeshing_target& target_;

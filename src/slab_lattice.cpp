@@ -42,8 +42,8 @@ Square square(const Lattice_point& p, std::int64_t s, std::size_t axis, bool up)
 
 class Contour {
  public:
-  Contour(const Hermite_transition& psi, const Slab_options& sizes, const Contour_options& options)
-      : psi_(psi), octree_(psi, sizes, options) {}
+  Contour(const Hermite_transition& psi, const Slab_sizing& cells, const Contour_options& options)
+      : psi_(psi), octree_(psi, cells, options) {}
 
   Slab_contour run() {
     for (const std::size_t side : {0, 1})
@@ -242,8 +242,8 @@ class Contour {
 
 }  // namespace
 
-Slab_contour contour_slab(const Hermite_transition& psi, const Slab_options& sizes, const Contour_options& options) {
-  return Contour(psi, sizes, options).run();
+Slab_contour contour_slab(const Hermite_transition& psi, const Slab_sizing& cells, const Contour_options& options) {
+  return Contour(psi, cells, options).run();
 }
 
 }  // namespace cgal_blend

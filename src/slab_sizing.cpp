@@ -87,6 +87,15 @@ Slab_sizing::Slab_sizing(const Hermite_transition& psi, const Slab_options& opti
   }
 }
 
+void Slab_sizing::halve_at(const Point_3& p) {
+  // A place close to one that is fine already would add nothing but time.
+  const double size = (*this)(p);
+  for (const auto& [place, least] : finer_)
+    if (least < 0.75 * size && CGAL::squared_distance(p, place) < size * size) return;
+  finer_.emplace_back(p, size / 2);
+  smallest_ = std::min(smallest_, size / 2);
+}
+
 double Slab_sizing::gap(const Point_2& p, double size) const {
   for (const Segment_tree& tree : gaps_)
     if (tree.least_weight() < size) size = std::min(size, tree(p));
@@ -107,7 +116,10 @@ double Slab_sizing::operator()(const Point_3& p) const {
   for (const std::size_t side : {0, 1})
     if (const double away = decline_ * distance[side]; - lower_[side].least_weight() - away > size)
       size = std::max(size, -lower_[side](q) - away);
-  return gap(q, size);
+  size = gap(q, size);
+  for (const auto& [place, least] : finer_)
+    if (least < size) size = std::min(size, least + growth_ * std::sqrt(CGAL::squared_distance(p, place)));
+  return size;
 }
 
 }  // namespace cgal_blend

@@ -6,6 +6,7 @@
 #include "slab_tessellation.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace cgal_blend {
@@ -22,6 +23,9 @@ class Slab_sizing {
   Slab_sizing(const Hermite_transition& psi, const Slab_options& options, double growth, double decline, double gaps);
 
   [[nodiscard]] double operator()(const Point_3& p) const;
+  /// Halves what is wanted at a place; it grows from there as it does from short sides.
+  void halve_at(const Point_3& p);
+  void forget_halvings() { finer_.clear(); }
   /// The same in the plane of a side, of its rings alone.
   [[nodiscard]] double at_plane(std::size_t side, const Point_2& p) const;
   [[nodiscard]] double smallest() const { return smallest_; }  ///< a bound
@@ -30,6 +34,7 @@ class Slab_sizing {
  private:
   [[nodiscard]] double gap(const Point_2& p, double size) const;
 
+  std::vector<std::pair<Point_3, double>> finer_;
   std::vector<Segment_tree> gaps_;     ///< bounds from above for all heights
   std::array<Segment_tree, 2> upper_;  ///< bounds from above
   std::array<Segment_tree, 2> lower_;  ///< bounds from below, negated
