@@ -14,6 +14,7 @@ void add_check_command(CLI::App& app, int& exit_status);
 void add_curvature_command(CLI::App& app, int& exit_status);
 void add_intersect_quadrics_command(CLI::App& app, int& exit_status);
 void add_quadrics_command(CLI::App& app, int& exit_status);
+void add_fuse_command(CLI::App& app, int& exit_status);
 
 }  // namespace cgal_blend::cli
 

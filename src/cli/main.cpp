@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   cgal_blend::cli::add_curvature_command(app, exit_status);
   cgal_blend::cli::add_intersect_quadrics_command(app, exit_status);
   cgal_blend::cli::add_quadrics_command(app, exit_status);
+  cgal_blend::cli::add_fuse_command(app, exit_status);
   if (argc > 1 && is_unknown_subcommand(app, argv[1]))
     return usage_error("unknown subcommand '" + std::string(argv[1]) + "'");
   try {
