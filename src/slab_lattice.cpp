@@ -15,7 +15,7 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr std::size_t most_cells = 120'000;
+constexpr std::size_t most_cells = 60'000;
 
 /// A square face of the octree, as small as the smaller of its two cells: corners counterclockwise seen from outside.
 struct Square {

@@ -18,13 +18,13 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double growth = 0.35;                       // of facets with the distance from finer ones
-constexpr double decline = 0.7;                       // from coarser ones
-constexpr double off_surface = 0.02;                  // of the edge length wanted
-constexpr int attempts = 3;                           // each with cells half as wide and half as near the planes
-constexpr std::size_t most_vertices_again = 150'000;  // of a contour, for another attempt
-constexpr int rounds = 5;                             // of halving facets where they cut through each other
-constexpr int attempts_to_reach = 2;                  // where a piece of surface does not lead to the other side
+constexpr double growth = 0.35;                      // of facets with the distance from finer ones
+constexpr double decline = 0.7;                      // from coarser ones
+constexpr double off_surface = 0.02;                 // of the edge length wanted
+constexpr int attempts = 3;                          // each with cells half as wide and half as near the planes
+constexpr std::size_t most_vertices_again = 60'000;  // of a contour, for another attempt
+constexpr int rounds = 5;                            // of halving facets where they cut through each other
+constexpr int attempts_to_reach = 2;                 // where a piece of surface does not lead to the other side
 
 std::size_t ring_vertices(const Hermite_transition& psi, std::size_t side) {
   std::size_t count = 0;
