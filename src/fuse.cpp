@@ -27,6 +27,8 @@ bool within(double value, double low, double high) { return value >= low && valu
 Diagnosis check_options(const Fuse_options& options) {
   for (const double value : options.eta)
     if (!within(value, 0, 1)) return wrong("control values of eta must lie between 0 and 1");
+  for (const double value : options.weight)
+    if (!within(value, 1e-6, 1e6)) return wrong("weights of the sides must lie between 1e-6 and 1e6");
   if (!within(options.step, 1e-3, 100))
     return wrong("step of the sections must lie between 0.001 and 100 edges of the rings");
   if (!(options.edge >= 0) || !std::isfinite(options.edge)) return wrong("edge length must be a positive number");
@@ -122,7 +124,7 @@ bool Fusion::make_sections(const Fuse_frame& frame, std::array<Opening_sections,
 
 Slab_tessellation Fusion::tessellate(const std::array<Opening_sections, 2>& sections, double height) {
   Stopwatch watch;
-  const Hermite_transition psi(sections, height, {options_.model, options_.eta});
+  const Hermite_transition psi(sections, height, {options_.model, options_.eta, options_.weight});
   outcome_.one_sided = {psi.one_sided(0), psi.one_sided(1)};
   outcome_.times.openings = watch.milliseconds();
   watch = Stopwatch();

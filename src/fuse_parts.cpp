@@ -12,16 +12,17 @@ namespace cgal_blend {
 
 namespace {
 
-/// A hole that is still there when the plane has cut: across it, or on the side that is kept.
+/// A hole that is still there when the plane has cut: across it, or else on the side that is kept.
 Diagnosis hole_that_stays(const Blend_mesh& mesh, const Cut_plane& plane) {
+  Diagnosis kept;
   for (const Halfedge h : mesh.halfedges()) {
     if (!mesh.is_border(h)) continue;
-    const Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h));
-    const int from = side_of(plane, a), to = side_of(plane, b);
-    if (from < 0 && to < 0) return {Status::input_not_closed, "", a, std::nullopt};
-    if (from < 0 || to < 0) return {Status::section_not_closed, "", a, std::nullopt};
+    const Point_3& a = mesh.point(mesh.source(h));
+    const bool from = side_of(plane, a) < 0, to = side_of(plane, mesh.point(mesh.target(h))) < 0;
+    if (from != to) return {Status::section_not_closed, "", a, std::nullopt};
+    if (from && kept.ok()) kept = {Status::input_not_closed, "", a, std::nullopt};
   }
-  return {};
+  return kept;
 }
 
 Diagnosis first_flaw(const Blend_mesh& mesh) {

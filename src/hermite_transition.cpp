@@ -50,8 +50,8 @@ double bezier(const std::array<double, 2>& middle, double t) {
 
 Hermite_transition::Hermite_transition(const std::array<Opening_sections, 2>& sides, double height,
                                        const Transition_options& options)
-    : height_(height), eta_(options.eta) {
-  CGAL_precondition(height > 0);
+    : height_(height), eta_(options.eta), weight_(options.weight) {
+  CGAL_precondition(height > 0 && weight_[0] > 0 && weight_[1] > 0);
   const Opening_model model = options.model ? options.model : distance_opening();
   for (std::size_t i = 0; i < 2; ++i) {
     CGAL_precondition(!sides[i].rings.empty());
@@ -66,7 +66,8 @@ Hermite_transition::Hermite_transition(const std::array<Opening_sections, 2>& si
 double Hermite_transition::operator()(const Point_3& p) const {
   const Point_2 q(p.x(), p.y());
   const double w = bezier(eta_, p.z() / height_), v = w - 1;
-  const double f1 = v * v * (1 + 2 * w), f2 = w * w * (3 - 2 * w), f3 = w * v * v, f4 = w * w * v;
+  const double f1 = weight_[0] * v * v * (1 + 2 * w), f2 = weight_[1] * w * w * (3 - 2 * w);
+  const double f3 = weight_[0] * w * v * v, f4 = weight_[1] * w * w * v;
   double psi = 0;  // equation 1; what has no weight is not asked for
   if (f1 != 0) psi += f1 * opening_[0](q);
   if (f2 != 0) psi += f2 * opening_[1](q);

@@ -23,6 +23,8 @@ struct Transition_options {
   Opening_model model;                  ///< signed distance if not set
   std::array<double, 2> eta{0.4, 0.6};  ///< the two free control values of w = eta(z), Bezier of degree 5; 0.4 and 0.6
                                         ///< give w = z
+  std::array<double, 2> weight{1, 1};  ///< of the sides' functions, opening and slope, > 0: the heavier keeps its shape
+                                       ///< the longer, as with the larger rho of the paper
 };
 
 /// The implicit transition between two openings: Psi(x, y, z), negative inside, for 0 <= z <= height.
@@ -40,7 +42,7 @@ class Hermite_transition {
 
  private:
   double height_;
-  std::array<double, 2> eta_;
+  std::array<double, 2> eta_, weight_;
   std::array<std::vector<Ring>, 2> rings_;
   std::array<bool, 2> one_sided_{};
   std::array<Planar_function, 2> opening_, slope_;

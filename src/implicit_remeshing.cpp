@@ -15,7 +15,8 @@ namespace cgal_blend {
 namespace {
 
 constexpr double longest = 4.0 / 3, shortest = 4.0 / 5;  // of the wanted length; Botsch and Kobbelt
-constexpr double least_cosine = 0.2;                     // of a face's normal with those at its vertices
+constexpr double pi = 3.14159265358979323846;
+constexpr double least_cosine = 0.2;  // of a face's normal with those at its vertices
 
 class Remesher {
  public:
@@ -185,7 +186,7 @@ class Remesher {
     CGAL::Euler::split_face(fresh, mesh_.next(mesh_.next(fresh)), mesh_);
     const Halfedge back = mesh_.opposite(h);
     CGAL::Euler::split_face(back, mesh_.next(mesh_.next(back)), mesh_);
-    if (const auto p = projected(mesh_.point(v), normal_[v], size_[v] / 2); p && may_move(v, *p)) {
+    if (const auto p = projected(mesh_.point(v), normal_[v], size_[v]); p && may_move(v, *p)) {
       mesh_.point(v) = *p;
       size_[v] = target_.size(*p);
     }
@@ -215,7 +216,6 @@ class Remesher {
 
   bool may_collapse(Halfedge h) const {
     const Vertex v = mesh_.source(h), w = mesh_.target(h);
-    if (!CGAL::Euler::does_satisfy_link_condition(mesh_.edge(h), mesh_)) return false;
     double sharpest_now = -1, sharpest_then = -1;
     for (const Halfedge g : CGAL::halfedges_around_source(v, mesh_)) {
       const Vertex a = mesh_.target(g), b = mesh_.target(mesh_.next(g));
@@ -226,7 +226,8 @@ class Remesher {
       if (uprightness(w, a, b) < std::min(least_cosine, uprightness(v, a, b))) return false;
       sharpest_then = std::max(sharpest_then, sharpness(w, a, b));
     }
-    return sharpest_then <= std::max(sharpest_now, sharp_limit);
+    return sharpest_then <= std::max(sharpest_now, sharp_limit) &&
+           CGAL::Euler::does_satisfy_link_condition(mesh_.edge(h), mesh_);
   }
 
   /// True if an inner edge between the vertices would lie in the plane of the borders.
@@ -305,7 +306,7 @@ class Remesher {
 
   void move(Vertex v, Vector_3 step) {
     for (int halving = 0; halving < 3; ++halving, step = step / 2) {
-      const auto p = projected(mesh_.point(v) + step, normal_[v], size_[v] / 2);
+      const auto p = projected(mesh_.point(v) + step, normal_[v], size_[v]);
       if (!p || !may_move(v, *p)) continue;
       mesh_.point(v) = *p;
       size_[v] = target_.size(*p);
@@ -313,16 +314,27 @@ class Remesher {
     }
   }
 
-  /// Angles last: flips, collapses and moves that make the sharpest angle around them less sharp.
+  /// Angles last: flips that make the sharpest of two faces less sharp, and moves, until none off the borders is too sharp.
   void polish() {
-    for (int pass = 0; pass < 4; ++pass) {
+    const double limit = std::cos(target_.least_angle * pi / 180);
+    for (int pass = 0; pass < 8 && (pass < 4 || sharpest_inside() > limit); ++pass) {
       while (flip(&Remesher::improves_angles) > mesh_.number_of_edges() / 1000) continue;
       relax();
     }
     flip(&Remesher::improves_angles);
   }
 
-  static constexpr double sharp_limit = 0.9848;  // cosine of 10 degrees
+  double sharpest_inside() const {
+    double result = -1;
+    for (const Face f : mesh_.faces()) {
+      const auto around = mesh_.vertices_around_face(mesh_.halfedge(f));
+      if (std::none_of(around.begin(), around.end(), [&](Vertex v) { return fixed_[v] != 0; }))
+        result = std::max(result, sharpness(corners(f)));
+    }
+    return result;
+  }
+
+  static constexpr double sharp_limit = 0.9848;  // cosine of 10 degrees: sharper faces are not made, only mended
 
   Blend_mesh& mesh_;
   const Remeshing_target& target_;

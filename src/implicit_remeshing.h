@@ -13,7 +13,7 @@ struct Remeshing_target {
   std::function<double(const Point_3&)> function;  ///< zero on the surface, positive where its normals point
   std::function<double(const Point_3&)> size;      ///< edge length wanted, length units, > 0
   double zmin = 0, zmax = 0;                       ///< new vertices lie strictly between
-  double least_angle = 20;                         ///< what is aimed at last, degrees
+  double least_angle = 20;                         ///< aimed at last, away from borders, degrees
   int rounds = 5;
   std::function<bool(double)> progress;  ///< told the part done in [0, 1]; false stops between rounds
 };

@@ -18,7 +18,7 @@ constexpr std::size_t few_vertices = 100;   // so few are all centres at once; s
 constexpr std::size_t first_vertices = 50;  // of more, about so many begin
 constexpr double least_vertices = 32;       // of a ring; sides longer than their mean edge are divided
 constexpr double offset_tolerance = 0.25;   // of an offset point's value, where not all are centres
-constexpr Eigen::Index few_centres = 160;   // a tree does not pay
+constexpr Eigen::Index few_centres = 48;    // a tree does not pay
 
 /// Rings with vertices along long sides, so that the spline keeps to a box's edges as it does to a finely cut ring.
 std::vector<Ring> subdivided(const std::vector<Ring>& rings) {

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t neighbours = 4;
 // Passes over all rings; each halves a bunch at least.
 constexpr int passes = 8;
-// A remnant must not turn further from its face than to this cosine, 60 degrees.
-constexpr double least_cosine = 0.5;
+// A remnant must not turn further from its face than to this cosine, 10 degrees.
+constexpr double least_cosine = 0.985;
 
 class Ring_tidier {
  public:

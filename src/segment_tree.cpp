@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace cgal_blend {
 
@@ -12,37 +11,28 @@ namespace {
 
 constexpr std::size_t run = 4;  // segments of a leaf
 
-double distance(const Point_2& p, const Point_2& a, const Point_2& b) {
-  const double dx = b.x() - a.x(), dy = b.y() - a.y(), px = p.x() - a.x(), py = p.y() - a.y();
-  const double length2 = dx * dx + dy * dy;
-  const double t = length2 > 0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
-  // From the nearer end, so that a point on it has distance 0.
-  if (t > 0.5) {
-    const double qx = p.x() - b.x() + (1 - t) * dx, qy = p.y() - b.y() + (1 - t) * dy;
-    return std::sqrt(qx * qx + qy * qy);
-  }
-  const double qx = px - t * dx, qy = py - t * dy;
-  return std::sqrt(qx * qx + qy * qy);
-}
-
 }  // namespace
 
-Segment_tree::Segment_tree(std::vector<Weighted_segment> segments, double slope)
-    : segments_(std::move(segments)), slope_(slope) {
-  if (segments_.empty()) return;
-  std::size_t nodes = 1;
-  while (nodes * run < 2 * segments_.size()) nodes *= 2;
-  boxes_.resize(2 * nodes);
-  build(0, 0, segments_.size());
+Segment_tree::Segment_tree(const std::vector<Weighted_segment>& segments, double slope)
+    : slope_(slope), least_weight_(std::numeric_limits<double>::infinity()) {
+  segments_.reserve(segments.size());
+  for (const auto& [a, b, weight] : segments) {
+    const double dx = b.x() - a.x(), dy = b.y() - a.y(), length2 = dx * dx + dy * dy;
+    segments_.push_back({a.x(), a.y(), dx, dy, length2 > 0 ? 1 / length2 : 0, weight});
+    least_weight_ = std::min(least_weight_, weight);
+  }
+  if (!segments_.empty()) build(0, 0, segments_.size());
 }
 
 void Segment_tree::build(std::size_t node, std::size_t first, std::size_t last) {
   const double infinity = std::numeric_limits<double>::infinity();
   Box box{infinity, infinity, -infinity, -infinity, infinity};
   for (std::size_t i = first; i < last; ++i) {
-    const auto& [a, b, weight] = segments_[i];
-    box = {std::min({box.xmin, a.x(), b.x()}), std::min({box.ymin, a.y(), b.y()}), std::max({box.xmax, a.x(), b.x()}),
-           std::max({box.ymax, a.y(), b.y()}), std::min(box.weight, weight)};
+    const Segment& s = segments_[i];
+    // Both ends, rounded as in the distance below.
+    box = {std::min({box.xmin, s.x, s.x + s.dx}), std::min({box.ymin, s.y, s.y + s.dy}),
+           std::max({box.xmax, s.x, s.x + s.dx}), std::max({box.ymax, s.y, s.y + s.dy}),
+           std::min(box.weight, s.weight)};
   }
   if (node >= boxes_.size()) boxes_.resize(2 * node + 1);
   boxes_[node] = box;
@@ -52,33 +42,38 @@ void Segment_tree::build(std::size_t node, std::size_t first, std::size_t last) 
   build(2 * node + 2, middle, last);
 }
 
-double Segment_tree::bound(std::size_t node, const Point_2& p) const {
+double Segment_tree::squared_distance(std::size_t node, const Point_2& p) const {
   const Box& box = boxes_[node];
   const double dx = std::max({box.xmin - p.x(), 0.0, p.x() - box.xmax});
   const double dy = std::max({box.ymin - p.y(), 0.0, p.y() - box.ymax});
-  return box.weight + slope_ * std::sqrt(dx * dx + dy * dy);
+  return dx * dx + dy * dy;
 }
 
-double Segment_tree::value(std::size_t segment, const Point_2& p) const {
-  const auto& [a, b, weight] = segments_[segment];
-  return weight + slope_ * distance(p, a, b);
+/// weight + slope * distance < value, without a root.
+bool Segment_tree::may_be_less(double weight, double squared, double value) const {
+  const double rest = value - weight;
+  return rest > 0 && slope_ * slope_ * squared < rest * rest;
 }
 
 void Segment_tree::query(std::size_t node, std::size_t first, std::size_t last, const Point_2& p, Best& best) const {
   if (last - first <= run) {
-    for (std::size_t i = first; i < last; ++i)
-      if (const double v = value(i, p); v < best.value) best = {v, i};
+    for (std::size_t i = first; i < last; ++i) {
+      const Segment& s = segments_[i];
+      const double px = p.x() - s.x, py = p.y() - s.y;
+      const double t = std::clamp((px * s.dx + py * s.dy) * s.inverse_length2, 0.0, 1.0);
+      const double qx = px - t * s.dx, qy = py - t * s.dy, squared = qx * qx + qy * qy;
+      if (may_be_less(s.weight, squared, best.value)) best = {s.weight + slope_ * std::sqrt(squared), i};
+    }
     return;
   }
   const std::size_t middle = first + (last - first) / 2, left = 2 * node + 1, right = 2 * node + 2;
-  const double of_left = bound(left, p), of_right = bound(right, p);
-  if (of_left <= of_right) {
-    if (of_left < best.value) query(left, first, middle, p, best);
-    if (of_right < best.value) query(right, middle, last, p, best);
-  } else {
-    if (of_right < best.value) query(right, middle, last, p, best);
-    if (of_left < best.value) query(left, first, middle, p, best);
-  }
+  const double of_left = squared_distance(left, p), of_right = squared_distance(right, p);
+  const auto visit = [&](std::size_t child, double squared, std::size_t from, std::size_t to) {
+    if (may_be_less(boxes_[child].weight, squared, best.value)) query(child, from, to, p, best);
+  };
+  if (of_left <= of_right) visit(left, of_left, first, middle);
+  visit(right, of_right, middle, last);
+  if (of_left > of_right) visit(left, of_left, first, middle);
 }
 
 double Segment_tree::operator()(const Point_2& p) const {

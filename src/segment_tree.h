@@ -20,16 +20,20 @@ struct Weighted_segment {
 /// consecutive segments: exact but for rounding wherever p is. With weights 0 and slope 1 it is the distance.
 class Segment_tree {
  public:
-  explicit Segment_tree(std::vector<Weighted_segment> segments, double slope = 1);
+  explicit Segment_tree(const std::vector<Weighted_segment>& segments, double slope = 1);
 
   /// Infinite without segments.
   [[nodiscard]] double operator()(const Point_2& p) const;
-  /// The index of the segment that attains the value, the first of several.
+  [[nodiscard]] double least_weight() const { return least_weight_; }
+  /// The index of a segment that attains the value.
   [[nodiscard]] std::size_t nearest(const Point_2& p) const;
 
  private:
   struct Box {
     double xmin, ymin, xmax, ymax, weight;
+  };
+  struct Segment {
+    double x, y, dx, dy, inverse_length2, weight;
   };
   struct Best {
     double value;
@@ -38,12 +42,12 @@ class Segment_tree {
 
   void build(std::size_t node, std::size_t first, std::size_t last);
   void query(std::size_t node, std::size_t first, std::size_t last, const Point_2& p, Best& best) const;
-  [[nodiscard]] double bound(std::size_t node, const Point_2& p) const;
-  [[nodiscard]] double value(std::size_t segment, const Point_2& p) const;
+  [[nodiscard]] double squared_distance(std::size_t node, const Point_2& p) const;
+  [[nodiscard]] bool may_be_less(double weight, double squared, double value) const;
 
-  std::vector<Weighted_segment> segments_;
+  std::vector<Segment> segments_;
   std::vector<Box> boxes_;  ///< a heap: the children of node n are 2n + 1 and 2n + 2
-  double slope_;
+  double slope_, least_weight_;
 };
 
 /// The sides of rings, ring by ring, with weight 0.

@@ -15,7 +15,7 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr std::size_t most_cells = 20'000'000;
+constexpr std::size_t most_cells = 60'000;
 
 /// A square face of the octree, as small as the smaller of its two cells: corners counterclockwise seen from outside.
 struct Square {
@@ -42,8 +42,8 @@ Square square(const Lattice_point& p, std::int64_t s, std::size_t axis, bool up)
 
 class Contour {
  public:
-  Contour(const Hermite_transition& psi, const Slab_options& sizes, const Contour_options& options)
-      : psi_(psi), octree_(psi, sizes, options) {}
+  Contour(const Hermite_transition& psi, const Slab_sizing& cells, const Contour_options& options)
+      : psi_(psi), octree_(psi, cells, options) {}
 
   Slab_contour run() {
     for (const std::size_t side : {0, 1})
@@ -52,7 +52,10 @@ class Contour {
       const Lattice_cell cell = waiting_.back();
       waiting_.pop_back();
       march(cell);
-      if (seen_.size() > most_cells) result_.escape = octree_.place(cell.centre());
+      if (seen_.size() > most_cells) {
+        result_.escape = octree_.place(cell.centre());
+        result_.exhausted = true;
+      }
     }
     return std::move(result_);
   }
@@ -198,13 +201,26 @@ class Contour {
     const std::uint64_t key = static_cast<std::uint64_t>(below.id) << 32 | above.id;
     const auto [entry, fresh] = crossings_.try_emplace(key, result_.points.size());
     if (fresh) {
-      // Not too near the ends, or the triangles there have no area.
-      const double t = std::clamp(below.value / (below.value - above.value), 0.02, 0.98);
-      const Point_3 &a = places_[below.id], &b = places_[above.id];
-      result_.points.push_back(a + t * (b - a));
+      result_.points.push_back(zero_between(places_[below.id], below.value, places_[above.id], above.value));
       result_.border.push_back(border(height_of_[below.id], height_of_[above.id]));
     }
     return entry->second;
+  }
+
+  /// Not too near the ends, or the triangles there have no area. Linear interpolation alone would leave the vertices of
+  /// coarse cells so far from the surface that no projection finds back.
+  Point_3 zero_between(const Point_3& p, double at_p, const Point_3& q, double at_q) const {
+    const Vector_3 d = q - p;
+    double low = 0, high = 1, t = at_p / (at_p - at_q);
+    const double enough = 0.01 * std::min(-at_p, at_q);
+    for (int i = 0; i < 8; ++i) {
+      const double value = psi_(p + t * d);
+      if (std::abs(value) <= enough) break;
+      (value < 0 ? low : high) = t;
+      (value < 0 ? at_p : at_q) = value;
+      t = i % 3 == 2 ? (low + high) / 2 : low + (high - low) * at_p / (at_p - at_q);
+    }
+    return p + std::clamp(t, 0.02, 0.98) * d;
   }
 
   Slab_contour::Border border(std::int64_t a, std::int64_t b) const {
@@ -226,8 +242,8 @@ class Contour {
 
 }  // namespace
 
-Slab_contour contour_slab(const Hermite_transition& psi, const Slab_options& sizes, const Contour_options& options) {
-  return Contour(psi, sizes, options).run();
+Slab_contour contour_slab(const Hermite_transition& psi, const Slab_sizing& cells, const Contour_options& options) {
+  return Contour(psi, cells, options).run();
 }
 
 }  // namespace cgal_blend

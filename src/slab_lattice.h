@@ -18,8 +18,12 @@ struct Slab_contour {
   std::vector<Point_3> points;
   std::vector<Border> border;  ///< per point: the end of the lattice that it lies on
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::optional<Point_3> escape;  ///< where the surface left the lattice sideways, or grew beyond all bounds
+  std::optional<Point_3> escape;  ///< where the surface left the lattice sideways
+  bool exhausted = false;         ///< it took more cells than can be kept; `escape` says where
 };
+
+/// Growth of cells with the distance from finer ones, per length: below what keeps the octree balanced, 0.19.
+inline constexpr double cell_growth = 0.12;
 
 struct Contour_options {
   double fineness = 1;  ///< cells are this many times smaller than the sizing asks for, >= 1
@@ -28,7 +32,8 @@ struct Contour_options {
 
 /// Follows Psi = 0 from the rings through an octree of the slab by marching tetrahedra: parts that no ring leads to are
 /// never met. Cells that share a face or an edge divide it alike, so that the surface is 2-manifold whatever Psi is.
-[[nodiscard]] Slab_contour contour_slab(const Hermite_transition& psi, const Slab_options& sizes,
+/// \param cells sizes that grow and decline by no more than `cell_growth`; cells are about twice as wide
+[[nodiscard]] Slab_contour contour_slab(const Hermite_transition& psi, const Slab_sizing& cells,
                                         const Contour_options& options);
 
 }  // namespace cgal_blend

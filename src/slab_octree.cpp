@@ -11,13 +11,12 @@ namespace cgal_blend {
 namespace {
 
 constexpr double cell_over_edge = 2;  // side of a cell against the edges wanted; tetrahedra are about half as wide
-constexpr double growth = 0.12;       // below what keeps the tree balanced: 0.19 for this ratio
 constexpr std::int64_t most_units = std::int64_t{1} << 20;
 
 }  // namespace
 
-Slab_octree::Slab_octree(const Hermite_transition& psi, const Slab_options& sizes, const Contour_options& options)
-    : sizing_(psi, sizes, growth, growth), height_(psi.height()), fineness_(options.fineness), gap_(options.gap) {
+Slab_octree::Slab_octree(const Hermite_transition& psi, const Slab_sizing& sizing, const Contour_options& options)
+    : sizing_(sizing), height_(psi.height()), fineness_(options.fineness), gap_(options.gap) {
   CGAL::Bbox_2 box;
   for (const std::size_t side : {0, 1})
     for (const Ring& ring : psi.rings(side))

@@ -38,7 +38,7 @@ struct Lattice_cell {
 /// slowly, cells that touch differ by one level at most. Its ends keep a gap from the planes that varies with the place.
 class Slab_octree {
  public:
-  Slab_octree(const Hermite_transition& psi, const Slab_options& sizes, const Contour_options& options);
+  Slab_octree(const Hermite_transition& psi, const Slab_sizing& sizing, const Contour_options& options);
 
   [[nodiscard]] Point_3 place(const Lattice_point& p) const;
   [[nodiscard]] bool contains(const Lattice_point& p) const;
@@ -56,7 +56,7 @@ class Slab_octree {
   [[nodiscard]] Lattice_cell root_of(const Lattice_point& p) const;
   [[nodiscard]] std::array<double, 2> gaps(const Point_2& p) const;
 
-  Slab_sizing sizing_;
+  const Slab_sizing& sizing_;
   double height_, fineness_, gap_;
   double x_ = 0, y_ = 0;          ///< least corner
   double unit_ = 1, unit_z_ = 1;  ///< lengths of the units across and along the slab

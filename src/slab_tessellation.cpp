@@ -8,6 +8,8 @@
 #include "slab_sizing.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -16,10 +18,13 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr double growth = 0.35;       // of facets with the distance from finer ones
-constexpr double decline = 0.7;       // from coarser ones
-constexpr int attempts = 4;           // each with cells half as wide and half as near the planes
-constexpr int attempts_to_reach = 2;  // where a piece of surface does not lead to the other side
+constexpr double growth = 0.35;                      // of facets with the distance from finer ones
+constexpr double decline = 0.7;                      // from coarser ones
+constexpr double off_surface = 0.02;                 // of the edge length wanted
+constexpr int attempts = 3;                          // each with cells half as wide and half as near the planes
+constexpr std::size_t most_vertices_again = 60'000;  // of a contour, for another attempt
+constexpr int rounds = 5;                            // of halving facets where they cut through each other
+constexpr int attempts_to_reach = 2;                 // where a piece of surface does not lead to the other side
 
 std::size_t ring_vertices(const Hermite_transition& psi, std::size_t side) {
   std::size_t count = 0;
@@ -79,36 +84,54 @@ std::optional<Blend_mesh> mesh_of(const Joined_rings& joined) {
 class Tessellator {
  public:
   Tessellator(const Hermite_transition& psi, const Slab_options& options)
-      : psi_(psi), options_(options), lower_(ring_vertices(psi, 0)), rings_(lower_ + ring_vertices(psi, 1)) {}
+      : psi_(psi),
+        options_(options),
+        cells_(psi, options, cell_growth, cell_growth, 1),
+        facets_(psi, options, growth, decline, 0),
+        lower_(ring_vertices(psi, 0)),
+        rings_(lower_ + ring_vertices(psi, 1)) {}
 
   Slab_tessellation run() {
     Slab_tessellation result;
-    Contour_options contour;
-    for (int attempt = 0; attempt < attempts; ++attempt, contour.fineness *= 2, contour.gap /= 2) {
-      result = {};
-      std::optional<Blend_mesh> mesh = coarse_mesh(contour, result.diagnosis);
-      if (short_of_other_side_ && attempt + 1 >= attempts_to_reach) return result;
-      if (!mesh) continue;
-      if (!remesh(*mesh)) {
+    for (int attempt = 0, round = 0; attempt < attempts;) {
+      std::optional<Blend_mesh> mesh = coarse_mesh(result.diagnosis);
+      if (exhausted_ || (short_of_other_side_ && attempt + 1 >= attempts_to_reach)) return result;
+      const bool large = mesh && mesh->number_of_vertices() > most_vertices_again;
+      if (mesh && !remesh(*mesh)) {
         result.diagnosis = {Status::cancelled, "", std::nullopt, std::nullopt};
         return result;
       }
-      if (free_of_crossings(*mesh, result.diagnosis)) {
+      if (mesh && good(*mesh, result.diagnosis)) {
         write(*mesh, result);
         return result;
       }
+      if (large) return result;
+      if (mesh && ++round % rounds != 0) continue;
+      refine_everywhere();
+      ++attempt;
     }
     return result;
   }
 
  private:
-  std::optional<Blend_mesh> coarse_mesh(const Contour_options& options, Diagnosis& diagnosis) {
+  void refine_everywhere() {
+    contour_.fineness *= 2;
+    contour_.gap /= 2;
+    cells_.forget_halvings();
+    facets_.forget_halvings();
+  }
+
+  /// A finer attempt that takes too much leaves the diagnosis of the coarser one.
+  std::optional<Blend_mesh> coarse_mesh(Diagnosis& diagnosis) {
     short_of_other_side_ = false;
     const auto refuse = [&](const std::optional<Point_3>& where, const char* why) {
       diagnosis = {Status::openings_not_joined, why, where, std::nullopt};
       return std::nullopt;
     };
-    const Slab_contour contour = contour_slab(psi_, options_, options);
+    const Slab_contour contour = contour_slab(psi_, cells_, contour_);
+    exhausted_ = contour.exhausted;
+    if (exhausted_ && !diagnosis.ok()) return std::nullopt;
+    if (exhausted_) return refuse(contour.escape, "the transition needs too many facets for its walls or gaps");
     if (contour.escape) return refuse(contour.escape, "the transition leaves the space between the openings");
     Joined_rings joined = join_rings(psi_, contour);
     if (joined.gap) return refuse(joined.gap, "no transition leaves this ring");
@@ -122,22 +145,33 @@ class Tessellator {
   }
 
   bool remesh(Blend_mesh& mesh) const {
-    const Slab_sizing sizing(psi_, options_, growth, decline);
     Remeshing_target target;
     target.function = [this](const Point_3& p) { return psi_(p); };
-    target.size = [&sizing](const Point_3& p) { return sizing(p); };
+    target.size = [this](const Point_3& p) { return facets_(p); };
     target.zmax = psi_.height();
     target.least_angle = options_.least_angle;
     target.progress = options_.progress;
     return remesh_implicit(mesh, target);
   }
 
-  static bool free_of_crossings(const Blend_mesh& mesh, Diagnosis& diagnosis) {
-    const auto pairs = internal::intersecting_pairs(mesh);
-    if (pairs.empty()) return true;
-    diagnosis = {Status::blend_folds, "the transition crosses itself", internal::meeting_point(mesh, pairs.front()),
-                 std::nullopt};
-    return false;
+  /// Where facets cut through each other, or a vertex found no surface near it, walls or gaps are thinner than cells and
+  /// facets: both are made smaller there.
+  bool good(const Blend_mesh& mesh, Diagnosis& diagnosis) {
+    std::vector<Point_3> places;
+    for (const auto& pair : internal::intersecting_pairs(mesh)) places.push_back(internal::meeting_point(mesh, pair));
+    diagnosis = {};
+    if (!places.empty())
+      diagnosis = {Status::blend_folds, "the transition crosses itself", places.front(), std::nullopt};
+    for (const Vertex v : mesh.vertices())
+      if (v.idx() >= rings_ && std::abs(psi_(mesh.point(v))) > off_surface * facets_(mesh.point(v)))
+        places.push_back(mesh.point(v));
+    if (diagnosis.ok() && !places.empty())
+      diagnosis = {Status::blend_folds, "walls or gaps are too thin", places.front(), std::nullopt};
+    for (const Point_3& p : places) {
+      cells_.halve_at(p);
+      facets_.halve_at(p);
+    }
+    return places.empty();
   }
 
   static void write(const Blend_mesh& mesh, Slab_tessellation& result) {
@@ -150,8 +184,11 @@ class Tessellator {
 
   const Hermite_transition& psi_;
   const Slab_options& options_;
+  Slab_sizing cells_, facets_;
   std::size_t lower_, rings_;  ///< numbers of vertices
   bool short_of_other_side_ = false;
+  bool exhausted_ = false;
+  Contour_options contour_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cgal_blend {
 
@@ -111,44 +112,57 @@ double Thin_plate::operator()(const Point_2& p) const {
          0.5 * (weights_ * squared * squared.max(tiny).log()).sum();
 }
 
+struct Thin_plate_tree::Children {
+  std::array<Node, 4> nodes;
+};
+
+void Thin_plate_tree::Delete_children::operator()(Children* children) const { delete children; }
+
 Thin_plate_tree::Thin_plate_tree(const Thin_plate& spline) : spline_(spline) {
   std::vector<int> all(static_cast<std::size_t>(spline.x().size()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-  add(0, 0, root_half, all, -1);
+  root_.x = root_.y = 0;
+  root_.half = root_half;
+  fill(root_, all, nullptr);
 }
 
-int Thin_plate_tree::add(double x, double y, double half, const std::vector<int>& candidates, int parent) {
-  Node node{x, y, half, {-1, -1, -1, -1}, {}, {}};
+/// Parts the candidates into near and far ones, and samples the far part, with what the parent has as such.
+void Thin_plate_tree::fill(Node& node, const std::vector<int>& candidates, const Node* parent) const {
   std::vector<int> far_away;
   for (const int i : candidates) {
-    const bool near = std::max(std::abs(spline_.x()[i] - x), std::abs(spline_.y()[i] - y)) < near_halves * half;
-    (near ? node.near : far_away).push_back(i);
+    const double away = std::max(std::abs(spline_.x()[i] - node.x), std::abs(spline_.y()[i] - node.y));
+    (away < near_halves * node.half ? node.near : far_away).push_back(i);
   }
   const Centres far_centres(spline_, far_away);
   Square_matrix values;
   for (int j = 0; j < order; ++j)
     for (int i = 0; i < order; ++i) {
-      const double u = x + half * grid().places[i], v = y + half * grid().places[j];
-      const double sum = parent < 0 ? spline_.linear().dot(Eigen::Vector3d(1, u, v))
-                                    : far(nodes_[static_cast<std::size_t>(parent)], u, v);
-      values(i, j) = sum + far_centres.sum(u, v);
+      const double u = node.x + node.half * grid().places[i], v = node.y + node.half * grid().places[j];
+      const double inherited = parent ? parent->far_sum(u, v) : spline_.linear().dot(Eigen::Vector3d(1, u, v));
+      values(i, j) = inherited + far_centres.sum(u, v);
     }
   node.far = grid().transform * values * grid().transform.transpose();
-  const int index = static_cast<int>(nodes_.size());
-  nodes_.push_back(std::move(node));
-  const std::vector<int> near = nodes_.back().near;
-  if (near.size() <= leaf_centres || half < least_half) return index;
-  for (int k = 0; k < 4; ++k) {
-    const double quarter = half / 2;
-    const int child = add(x + (k & 1 ? quarter : -quarter), y + (k & 2 ? quarter : -quarter), quarter, near, index);
-    nodes_[static_cast<std::size_t>(index)].child[static_cast<std::size_t>(k)] = child;
-  }
-  return index;
 }
 
-double Thin_plate_tree::far(const Node& node, double x, double y) const {
-  const Nodes s = chebyshev((x - node.x) / node.half), t = chebyshev((y - node.y) / node.half);
-  return s.dot(node.far * t);
+Thin_plate_tree::Children& Thin_plate_tree::divide(Node& node) const {
+  const std::lock_guard<std::mutex> lock(dividing_);
+  if (Children* made = node.children.load(std::memory_order_relaxed)) return *made;
+  std::unique_ptr<Children, Delete_children> children(new Children);
+  for (std::size_t k = 0; k < 4; ++k) {
+    Node& child = children->nodes[k];
+    child.half = node.half / 2;
+    child.x = node.x + (k & 1U ? child.half : -child.half);
+    child.y = node.y + (k & 2U ? child.half : -child.half);
+    fill(child, node.near, &node);
+  }
+  node.owner = std::move(children);
+  node.children.store(node.owner.get(), std::memory_order_release);
+  return *node.owner;
+}
+
+double Thin_plate_tree::Node::far_sum(double u, double v) const {
+  const Nodes s = chebyshev((u - x) / half), t = chebyshev((v - y) / half);
+  return s.dot(far * t);
 }
 
 double Thin_plate_tree::term(int centre, double x, double y) const {
@@ -159,12 +173,13 @@ double Thin_plate_tree::term(int centre, double x, double y) const {
 double Thin_plate_tree::operator()(const Point_2& p) const {
   const Eigen::Vector2d q = spline_.local(p);
   if (!(std::max(std::abs(q.x()), std::abs(q.y())) <= root_half)) return spline_(p);
-  const Node* node = &nodes_.front();
-  while (node->child[0] >= 0) {
-    const std::size_t k = (q.x() > node->x ? 1U : 0U) + (q.y() > node->y ? 2U : 0U);
-    node = &nodes_[static_cast<std::size_t>(node->child[k])];
+  Node* node = &root_;
+  while (node->near.size() > leaf_centres && node->half > least_half) {
+    Children* children = node->children.load(std::memory_order_acquire);
+    if (!children) children = &divide(*node);
+    node = &children->nodes[(q.x() > node->x ? 1U : 0U) + (q.y() > node->y ? 2U : 0U)];
   }
-  double sum = far(*node, q.x(), q.y());
+  double sum = node->far_sum(q.x(), q.y());
   for (const int i : node->near) sum += term(i, q.x(), q.y());
   return sum;
 }

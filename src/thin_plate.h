@@ -7,7 +7,10 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace cgal_blend {
@@ -42,6 +45,7 @@ class Thin_plate {
 /// near them term by term, and hold the others as a Chebyshev polynomial, handed down from cell to cell.
 /// What is far lies at least three half-widths from a cell's middle, where phi is analytic within the ellipse of Bernstein of
 /// 2 + sqrt(5): the error falls by 4.2 with each degree, to 1e-6 of the sum of the terms' sizes for degree 9.
+/// Cells are made when first asked for, and may be asked for by several threads.
 class Thin_plate_tree {
  public:
   explicit Thin_plate_tree(const Thin_plate& spline);
@@ -50,20 +54,29 @@ class Thin_plate_tree {
   static constexpr int order = 10;  ///< coefficients each way
 
  private:
-  using Coefficients = Eigen::Matrix<double, order, order>;
+  using Coefficients = Eigen::Matrix<double, order, order, Eigen::DontAlign>;
+  struct Node;
+  struct Children;
+  struct Delete_children {
+    void operator()(Children* children) const;
+  };
   struct Node {
     double x, y, half;
-    std::array<int, 4> child{-1, -1, -1, -1};
     std::vector<int> near;
     Coefficients far;
+    std::unique_ptr<Children, Delete_children> owner;
+    std::atomic<Children*> children{nullptr};
+
+    [[nodiscard]] double far_sum(double u, double v) const;
   };
 
-  int add(double x, double y, double half, const std::vector<int>& candidates, int parent);
-  [[nodiscard]] double far(const Node& node, double x, double y) const;
+  void fill(Node& node, const std::vector<int>& candidates, const Node* parent) const;
+  [[nodiscard]] Children& divide(Node& node) const;
   [[nodiscard]] double term(int centre, double x, double y) const;
 
   Thin_plate spline_;
-  std::vector<Node> nodes_;
+  mutable std::mutex dividing_;
+  mutable Node root_;
 };
 
 }  // namespace cgal_blend

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checks.h"
+#include "fusion_checks.h"
 #include "fusions.h"
 #include "shapes.h"
 
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -42,15 +44,6 @@ double profile_volume(int n, double r1, double r2, double slope1, double slope2,
 
 double frustum_volume(int n, double r0, double r1, double height) {
   return (r0 * r0 + r0 * r1 + r1 * r1) / 3 * height * n / 2 * std::sin(2 * pi / n);
-}
-
-void expect_valid(const Fuse_outcome& outcome, const Blend_mesh& mesh) {
-  ASSERT_TRUE(outcome.ok()) << message(outcome.diagnosis);
-  const Validity_report report = validate(mesh);
-  EXPECT_TRUE(report.ok()) << message(report.diagnosis);
-  EXPECT_TRUE(is_closed_by_counting(mesh));
-  EXPECT_TRUE(has_single_fans(mesh));
-  EXPECT_EQ(outcome.changed_faces.size() + outcome.kept_faces, mesh.number_of_faces());
 }
 
 /// Faces of a side that its plane leaves whole, by the heights of their vertices.
@@ -102,6 +95,55 @@ INSTANTIATE_TEST_SUITE_P(Profiles, Fuse_coaxial,
                                          Coaxial{1, 1.3, 0.2, -0.3, 2}, Coaxial{1.2, 0.8, -0.3, 0.2, 3},
                                          Coaxial{1, 1, 0.4, -0.4, 0.7}));
 
+/// w = eta(t): the Bezier curve of degree 5 with two free control values.
+double eta_at(double t, const std::array<double, 2>& free) {
+  const double c[] = {0, 0.2, free[0], free[1], 0.8, 1};
+  const double binomial[] = {1, 5, 10, 10, 5, 1};
+  double w = 0;
+  for (int k = 0; k < 6; ++k) w += binomial[k] * std::pow(t, k) * std::pow(1 - t, 5 - k) * c[k];
+  return w;
+}
+
+/// Fuses cylinders of radius 1 and 0.5 at a distance of 1.5, and compares with the radius by height; returns the volume.
+double shaped_volume(const Fuse_options& options, const std::function<double(double)>& radius) {
+  const Blend_mesh low = frustum(1, 1, 48, -1.3, 0.4, 3), high = frustum(0.5, 0.5, 48, 1, 2.6, 3);
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, out, options);
+  expect_valid(outcome, out);
+  for (const Face f : outcome.transition_faces)
+    for (const std::size_t v : corners_of(out, f)) {
+      const Point_3& p = out.point(Vertex(v));
+      EXPECT_NEAR(std::hypot(p.x(), p.y()), radius(p.z() / 1.5), 0.005);
+    }
+  return outcome.volume;
+}
+
+TEST(Fuse, shapes_by_eta) {
+  double last = 1e9;
+  for (const std::array<double, 2> eta : {std::array<double, 2>{0, 0}, {0.4, 0.6}, {1, 1}}) {
+    Fuse_options options;
+    options.eta = eta;
+    const double volume =
+        shaped_volume(options, [&](double t) { return profile_radius(eta_at(t, eta), 1, 0.5, 0, 0, 1.5); });
+    EXPECT_LT(volume, 0.99 * last) << "sections become narrow sooner";
+    last = volume;
+  }
+}
+
+TEST(Fuse, shapes_by_weights) {
+  double last = 0;
+  for (const double weight : {0.25, 1.0, 4.0}) {
+    Fuse_options options;
+    options.weight = {weight, 1};
+    const double volume = shaped_volume(options, [&](double w) {
+      const double f1 = weight * (w - 1) * (w - 1) * (1 + 2 * w), f2 = w * w * (3 - 2 * w);
+      return (f1 * 1 + f2 * 0.5) / (f1 + f2);
+    });
+    EXPECT_GT(volume, 1.05 * last) << "the wide side reaches further";
+    last = volume;
+  }
+}
+
 /// Openings on circles about the axis. Where both sides have several, turned against each other, the axis stays outside
 /// of all sections and the bodies join in a wreath about it: genus 1.
 struct Topology {
@@ -116,8 +158,7 @@ TEST_P(Fuse_topology, is_valid_and_as_predicted) {
   const Topology t = GetParam();
   const Blend_mesh low = frustum(0.5, 0.5, 32, -1.3, 0.4, 3), high = frustum(0.5, 0.5, 32, 3 - 0.4, 4.3, 3);
   const double r = t.lower == 2 && t.upper == 2 ? 0.6 : 0.9;
-  const auto lows = on_circle(low, t.lower, r, 0),
-             highs = on_circle(high, t.upper, r, t.upper == 1 ? 0 : pi / t.upper);
+  const auto lows = on_circle(low, t.lower, r, 0), highs = on_circle(high, t.upper, r, t.upper == 1 ? 0 : pi / t.upper);
   const Fusion_side a = side_of_meshes(lows, lower_plane), b = side_of_meshes(highs, upper_plane(3));
   Blend_mesh out;
   const Fuse_outcome outcome = unchecked::fuse(a, b, out);
@@ -202,43 +243,6 @@ TEST(Fuse, joins_holes_without_planes) {
   EXPECT_NEAR(volume_of(out), expected, 0.005 * expected);
 }
 
-class Fuse_elbow : public testing::TestWithParam<double> {};
-
-TEST_P(Fuse_elbow, is_a_torus) {
-  const double angle = GetParam(), major = 1.4, minor = 0.5;
-  const Blend_mesh low = frustum(minor, minor, 48, -1, 0.3, 3), straight = frustum(minor, minor, 48, -0.3, 1, 3);
-  // The upper cylinder turned about the y axis through (major, 0, 0).
-  const Point_3 centre(major, 0, 0);
-  const Placement to = moved_by(major, 0, 0) * placement({0, 1, 0}, angle) * moved_by(-major, 0, 0);
-  const Blend_mesh high = transformed(straight, to);
-  const Cut_plane up{to.transform(Point_3(0, 0, 0)), -to.transform(Vector_3(0, 0, 1))};
-  Blend_mesh out;
-  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, up}, out);
-  expect_valid(outcome, out);
-  EXPECT_NEAR(outcome.angle, angle * 180 / pi, 1e-9);
-  EXPECT_NEAR(outcome.height, major * angle, 1e-3 * major * angle);
-  EXPECT_EQ(outcome.euler_characteristic, 2);
-  for (const Face f : outcome.transition_faces)
-    for (const std::size_t v : corners_of(out, f))
-      EXPECT_NEAR(distance_to_torus(out.point(Vertex(v)), centre, {0, 1, 0}, major, minor), 0, 0.01 * minor);
-  const double polygon = 24 * std::sin(2 * pi / 48) * minor * minor;
-  EXPECT_NEAR(outcome.volume, polygon * (2 + major * angle), 0.005 * outcome.volume);
-  EXPECT_LE(outcome.tangency_max, 360.0 / 48);
-}
-
-INSTANTIATE_TEST_SUITE_P(Angles, Fuse_elbow, testing::Values(0.02, pi / 6, pi / 2, 2 * pi / 3 - 1e-9));
-
-TEST(Fuse, keeps_tangents_of_cones_in_an_elbow) {
-  const Blend_mesh low = frustum(0.9, 0.5, 48, -1, 0.25, 4), straight = frustum(0.5, 0.9, 48, -0.25, 1, 4);
-  const Placement to = moved_by(1.5, 0.2, 0.1) * placement({0, 1, 0}, 1.2) * moved_by(-1.5, 0, 0);
-  const Blend_mesh high = transformed(straight, to);
-  const Cut_plane up{to.transform(Point_3(0, 0, 0)), -to.transform(Vector_3(0, 0, 1))};
-  Blend_mesh out;
-  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, up}, out);
-  expect_valid(outcome, out);
-  EXPECT_LE(outcome.tangency_max, 360.0 / 48);
-}
-
 TEST(Fuse, follows_rigid_motions_and_scale) {
   const Blend_mesh low = frustum(1.1, 0.8, 32, -1, 0.5, 4),
                    high = transformed(frustum(0.5, 0.7, 32, 1, 3, 3), moved_by(0.2, 0.1, 0));
@@ -314,110 +318,35 @@ TEST(Fuse, takes_meshes_of_any_type) {
   EXPECT_EQ(num_faces(exact_out), 0u) << "refused: not touched";
 }
 
-// What cannot be fused has a name.
-
-class Fuse_refuses : public testing::Test {
- protected:
-  Status status(const Fusion_side& a, const Fusion_side& b, const Fuse_options& options = {}) {
-    Blend_mesh out;
-    const auto result = fuse(a, b, out, options);
-    EXPECT_EQ(out.number_of_faces(), 0u);
-    EXPECT_FALSE(message(result.diagnosis).empty());
-    return result.diagnosis.status;
+TEST(Fuse, takes_points_from_maps) {
+  const Blend_mesh low = frustum(1, 1, 24, -1, 0.5, 4), high = frustum(0.7, 0.7, 24, 1, 3, 3);
+  Blend_mesh expected;
+  ASSERT_TRUE(unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, expected).ok());
+  Blend_mesh elsewhere = high;
+  auto points = elsewhere.add_property_map<Vertex, Point_3>("v:true_point").first;
+  for (const Vertex v : elsewhere.vertices()) {
+    points[v] = elsewhere.point(v);
+    elsewhere.point(v) = CGAL::ORIGIN;
   }
-  Blend_mesh low = frustum(1, 1, 24, -1, 0.5, 4), high = frustum(0.7, 0.7, 24, 1, 3, 3);
-  Fusion_side a{{&low}, lower_plane}, b{{&high}, upper_plane(1.5)};
-};
-
-TEST_F(Fuse_refuses, bad_planes) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 9}, {0, 0, 1}}}, b), Status::plane_misses_mesh);
-  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0}, {0, 1, 0}}}, b), Status::plane_meets_vertex);
-  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0.5}, {0, 0, 1}}}, b), Status::plane_meets_vertex) << "along a face";
-  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, nan}, {0, 0, 1}}}, b), Status::invalid_parameter);
-  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0}, {0, 0, 0}}}, b), Status::invalid_parameter);
-  EXPECT_EQ(status({{&low}, std::nullopt}, b), Status::section_not_closed) << "no plane and no hole";
-}
-
-TEST_F(Fuse_refuses, bad_positions) {
-  const Blend_mesh below = transformed(high, moved_by(0, 0, -2.2));
-  EXPECT_EQ(status(a, {{&below}, upper_plane(-0.7)}), Status::sides_interpenetrate) << "upper below lower";
   Blend_mesh out;
-  EXPECT_TRUE(fuse(b, a, out).ok()) << "only the names are exchanged";
-  EXPECT_EQ(status(a, {{&high}, Cut_plane{{0, 0, 1.5}, {0, 0, 1}}}), Status::planes_too_steep) << "looks away";
-  const Placement turn = placement({1, 0, 0}, 2.2);
-  const Blend_mesh steep = transformed(high, turn);
-  const Cut_plane up{turn.transform(Point_3(0, 0, 1.5)), turn.transform(Vector_3(0, 0, -1))};
-  EXPECT_EQ(status(a, {{&steep}, up}), Status::planes_too_steep);
-  // An elbow whose legs cross: the wedge is too narrow.
-  const Placement across = moved_by(0.6, 0, -0.2) * placement({0, 1, 0}, pi / 2) * moved_by(0, 0, -1.5);
-  const Blend_mesh crossing = transformed(high, across);
-  const Cut_plane there{across.transform(Point_3(0, 0, 1.5)), across.transform(Vector_3(0, 0, -1))};
-  const Status s = status(a, {{&crossing}, there});
-  EXPECT_TRUE(s == Status::sides_interpenetrate || s == Status::blend_folds) << name(s);
+  auto out_points = out.add_property_map<Vertex, Point_3>("v:true_point").first;
+  const auto result = fuse(Fusion_side{{&low}, lower_plane}, Fusion_side{{&elsewhere}, upper_plane(1.5)}, out,
+                           Fuse_options(), CGAL::parameters::default_values(),
+                           CGAL::parameters::vertex_point_map(points), CGAL::parameters::vertex_point_map(out_points));
+  ASSERT_TRUE(result.ok()) << message(result.diagnosis);
+  EXPECT_TRUE(same_connectivity(out, expected));
+  for (const Vertex v : out.vertices()) EXPECT_EQ(out_points[v], expected.point(v));
 }
 
-TEST_F(Fuse_refuses, openings_in_each_others_way) {
-  const Blend_mesh beside = transformed(low, moved_by(1.5, 0, 0)), inside = frustum(0.4, 0.4, 24, -1, 0.5, 4);
-  EXPECT_EQ(status({{&low, &beside}, lower_plane}, b), Status::openings_overlap);
-  EXPECT_EQ(status({{&low, &inside}, lower_plane}, b), Status::sides_interpenetrate) << "a solid in a solid";
-  // Openings that are apart, of bodies that cross deeper down.
-  const Blend_mesh left = transformed(frustum(1.5, 0.4, 24, -3, 0.5, 4), moved_by(-1, 0, 0)),
-                   right = transformed(frustum(1.5, 0.4, 24, -3, 0.5, 4), placement({0, 0, 1}, 0.1, {1, 0, 0}));
-  EXPECT_EQ(status({{&left, &right}, lower_plane}, b), Status::sides_interpenetrate);
-}
-
-TEST_F(Fuse_refuses, bad_options) {
-  Fuse_options options;
-  options.eta = {-0.1, 0.5};
-  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
-  options = {};
-  options.step = 0;
-  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
-  options = {};
-  options.edge = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
-  options = {};
-  options.grading = 0.5;
-  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
-  EXPECT_EQ(status({{}, lower_plane}, b), Status::invalid_parameter);
-  options = {};
-  options.progress = [](double) { return false; };
-  EXPECT_EQ(status(a, b, options), Status::cancelled);
-}
-
-TEST_F(Fuse_refuses, bad_meshes) {
-  Blend_mesh open = low;
-  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
-  open.collect_garbage();
-  EXPECT_EQ(status({{&open}, lower_plane}, b), Status::input_not_closed);
-  const Blend_mesh spiked = box_with_folded_spike();
-  EXPECT_EQ(status({{&spiked}, lower_plane}, b), Status::input_self_intersecting);
-  const Blend_mesh reversed = inside_out(low), none;
-  EXPECT_EQ(status({{&reversed}, lower_plane}, b), Status::input_misoriented);
-  EXPECT_EQ(status({{&none}, lower_plane}, b), Status::input_empty);
-}
-
-TEST_F(Fuse_refuses, holes_that_the_plane_leaves_or_meets) {
-  Blend_mesh above = low, across = low;
-  const auto open_at = [](Blend_mesh& mesh, double from, double to) {
-    for (const Face f : mesh.faces()) {
-      double least = 9, most = -9;
-      for (const std::size_t v : corners_of(mesh, f)) {
-        least = std::min(least, mesh.point(Vertex(v)).z());
-        most = std::max(most, mesh.point(Vertex(v)).z());
-      }
-      if (least < from || most > to) continue;
-      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
-      break;
-    }
-    mesh.collect_garbage();
-  };
-  open_at(above, 0.4, 0.6);
+TEST(Fuse, does_with_the_kept_side_just_below_a_lid) {
+  // The lid is nearer than the shifted section: there is none above, and the slope comes from below.
+  const Blend_mesh low = frustum(1.2, 1, 24, -1, 0.02, 3), high = frustum(0.7, 0.7, 24, 1, 3, 3);
   Blend_mesh out;
-  EXPECT_TRUE(fuse(Fusion_side{{&above}, lower_plane}, b, out).ok()) << "the hole is cut off";
-  open_at(across, -0.26, 0.13);
-  EXPECT_EQ(status({{&across}, lower_plane}, b), Status::section_not_closed);
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high}, upper_plane(1.5)}, out);
+  expect_valid(outcome, out);
+  EXPECT_TRUE(outcome.one_sided[0]);
+  EXPECT_FALSE(outcome.one_sided[1]);
+  EXPECT_LE(outcome.tangency_max, 360.0 / 24);
 }
 
 }  // namespace

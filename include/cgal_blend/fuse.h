@@ -27,7 +27,9 @@ using Fusion_side = Fusion_side_of<Blend_mesh>;
 struct Fuse_options {
   Opening_model model;                  ///< implicit form of the openings; signed distance if not set
   std::array<double, 2> eta{0.4, 0.6};  ///< free control values of w = eta(z), in [0, 1]; 0.4 and 0.6 give w = z
-  double step = 0.5;        ///< distance of the shifted sections, of the mean edge of a side's rings, in [1e-3, 100]
+  std::array<double, 2> weight{1, 1};   ///< of the sides' functions, > 0: where several openings come together, and how
+                                        ///< soon sections change; the heavier side keeps its shape the longer
+  double step = 0.2;        ///< distance of the shifted sections, of the mean edge of a side's rings, in [1e-3, 100]
   double edge = 0;          ///< edge length of the transition's facets, length units; 0: that of the rings, graded
   double grading = 1;       ///< facets grow away from the rings up to this many times their edges, in [1, 100]
   double least_angle = 20;  ///< what no facet away from the rings should fall below, degrees in [0, 30]

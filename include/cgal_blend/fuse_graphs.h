@@ -46,12 +46,13 @@ struct Copied_side {
 };
 
 /// Copies and checks the meshes of a side; `which` names it in the message.
-template <class Graph>
-Diagnosis copy_side(const Fusion_side_of<Graph>& side, const std::string& which, Copied_side<Graph>& copied) {
+template <class Graph, class Named_parameters>
+Diagnosis copy_side(const Fusion_side_of<Graph>& side, const std::string& which, const Named_parameters& np,
+                    Copied_side<Graph>& copied) {
   copied.side.plane = side.plane;
   for (const Graph* mesh : side.meshes) {
     CGAL_precondition(mesh != nullptr);
-    copied.copies.emplace_back(*mesh, CGAL::parameters::default_values());
+    copied.copies.emplace_back(*mesh, np);
     copied.side.meshes.push_back(&copied.copies.back().mesh());
     Diagnosis bad = check_fusion_part(copied.copies.back().mesh(), side.plane);
     if (bad.ok()) continue;
@@ -99,20 +100,24 @@ Fuse_result<Graph> hand_out_fusion(const Fuse_outcome& outcome, const Blend_mesh
 /// Joins the openings of two sides by a transition surface. See the engine in `unchecked`.
 /// \tparam Lower, Upper, Output models of `MutableFaceGraph` and `FaceListGraph` with points of any Cartesian kernel;
 ///         exact coordinates are rounded to double
-/// \param lower, upper triangle meshes with their own points, checked by `check_fusion_part`; indices in messages count vertices
-///        and faces in the order of their ranges
+/// \param lower, upper triangle meshes, checked by `check_fusion_part`; indices in messages count vertices and faces in the
+///        order of their ranges
 /// \param out receives the result; may be one of the meshes; not touched if the fusion is refused
-/// \param np_out `CGAL::parameters::vertex_point_map` of the output
+/// \param np_lower, np_upper, np_out `CGAL::parameters::vertex_point_map`; that of a side serves all its meshes
 template <class Lower, class Upper, class Output,
+          class Named_parameters_lower = CGAL::parameters::Default_named_parameters,
+          class Named_parameters_upper = CGAL::parameters::Default_named_parameters,
           class Named_parameters_out = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] Fuse_result<Output> fuse(const Fusion_side_of<Lower>& lower, const Fusion_side_of<Upper>& upper,
                                        Output& out, const Fuse_options& options = {},
+                                       const Named_parameters_lower& np_lower = CGAL::parameters::default_values(),
+                                       const Named_parameters_upper& np_upper = CGAL::parameters::default_values(),
                                        const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
   internal::Copied_side<Lower> below;
   internal::Copied_side<Upper> above;
   Fuse_outcome outcome;
-  outcome.diagnosis = internal::copy_side(lower, "lower", below);
-  if (outcome.ok()) outcome.diagnosis = internal::copy_side(upper, "upper", above);
+  outcome.diagnosis = internal::copy_side(lower, "lower", np_lower, below);
+  if (outcome.ok()) outcome.diagnosis = internal::copy_side(upper, "upper", np_upper, above);
   Blend_mesh result;
   if (outcome.ok()) outcome = unchecked::fuse(below.side, above.side, result, options);
   return internal::hand_out_fusion(outcome, result, out, np_out);

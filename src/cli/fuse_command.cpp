@@ -25,9 +25,9 @@ namespace {
 
 struct Fuse_command {
   std::string lower, upper;  // as typed: files with commas
-  std::optional<std::string> lower_plane, upper_plane, place_upper, implicit, eta;
+  std::optional<std::string> lower_plane, upper_plane, place_upper, implicit, eta, weight;
   std::optional<double> rho;
-  double step = 0.5, edge = 0, grading = 1;
+  double step = 0.2, edge = 0, grading = 1;
   std::string labels;
   Output_options output;
 
@@ -89,6 +89,12 @@ Fuse_options options_of(const Fuse_command& command) {
       if (!(value >= 0 && value <= 1)) throw usage_failure("--eta: both values must lie between 0 and 1");
     options.eta = {eta[0], eta[1]};
   }
+  if (command.weight) {
+    const std::vector<double> weight = numbers(*command.weight, 2, "--weight");
+    for (const double value : weight)
+      if (!(value >= 1e-6 && value <= 1e6)) throw usage_failure("--weight: both values must lie between 1e-6 and 1e6");
+    options.weight = {weight[0], weight[1]};
+  }
   options.step = command.step;
   options.edge = command.edge;
   options.grading = command.grading;
@@ -132,7 +138,7 @@ Json fusion_json(const Fuse_outcome& outcome) {
            {{"cut", outcome.times.cut},
             {"openings", outcome.times.openings},
             {"tessellate", outcome.times.tessellate},
-             {"assemble", outcome.times.assemble}}}};
+            {"assemble", outcome.times.assemble}}}};
 }
 
 void make_report(const Fuse_command& command, const Fuse_outcome& outcome, const Blend_mesh& mesh, Report& report) {
@@ -239,8 +245,13 @@ void add_shape(CLI::App& app, Fuse_command& o) {
   app.add_option_function<std::string>("--eta", set(o.eta),
                                        "The two free control values of w = eta(z), 0 to 1 [0.4,0.6: w = z]")
       ->type_name("A,B");
+  app.add_option_function<std::string>(
+         "--weight", set(o.weight),
+         "Weights of the lower and the upper side: the heavier keeps its shape the longer "
+         "[1,1]")
+      ->type_name("A,B");
   add_number(app, "--step", o.step, 1e-3, 100, false,
-             "Distance of the shifted sections, of the rings' mean edge [0.5]");
+             "Distance of the shifted sections, of the rings' mean edge [0.2]");
   add_number(app, "--edge", o.edge, 0, 1e300, true, "Edge length of the transition, length units [that of the rings]");
   add_number(app, "--grading", o.grading, 1, 100, false, "How many times larger facets grow away from the rings [1]");
   app.add_option("--labels", o.labels, "Also write what each face is: kept, cut or transition, one line per face")

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks.h"
+#include "fusions.h"
+#include "shapes.h"
+
+#include <cgal_blend/fuse.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace {
+
+using namespace cgal_blend;
+using namespace cgal_blend::test;
+
+// What cannot be fused has a name.
+
+class Fuse_refuses : public testing::Test {
+ protected:
+  Status status(const Fusion_side& a, const Fusion_side& b, const Fuse_options& options = {}) {
+    Blend_mesh out;
+    const auto result = fuse(a, b, out, options);
+    EXPECT_EQ(out.number_of_faces(), 0u);
+    EXPECT_FALSE(message(result.diagnosis).empty());
+    return result.diagnosis.status;
+  }
+  Blend_mesh low = frustum(1, 1, 24, -1, 0.5, 4), high = frustum(0.7, 0.7, 24, 1, 3, 3);
+  Fusion_side a{{&low}, lower_plane}, b{{&high}, upper_plane(1.5)};
+};
+
+TEST_F(Fuse_refuses, bad_planes) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 9}, {0, 0, 1}}}, b), Status::plane_misses_mesh);
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0}, {0, 1, 0}}}, b), Status::plane_meets_vertex);
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0.5}, {0, 0, 1}}}, b), Status::plane_meets_vertex) << "along a face";
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, nan}, {0, 0, 1}}}, b), Status::invalid_parameter);
+  EXPECT_EQ(status({{&low}, Cut_plane{{0, 0, 0}, {0, 0, 0}}}, b), Status::invalid_parameter);
+  EXPECT_EQ(status({{&low}, std::nullopt}, b), Status::section_not_closed) << "no plane and no hole";
+}
+
+TEST_F(Fuse_refuses, bad_positions) {
+  const Blend_mesh below = transformed(high, moved_by(0, 0, -2.2));
+  EXPECT_EQ(status(a, {{&below}, upper_plane(-0.7)}), Status::sides_interpenetrate) << "upper below lower";
+  Blend_mesh out;
+  EXPECT_TRUE(fuse(b, a, out).ok()) << "only the names are exchanged";
+  EXPECT_EQ(status(a, {{&high}, Cut_plane{{0, 0, 1.5}, {0, 0, 1}}}), Status::planes_too_steep) << "looks away";
+  const Placement turn = placement({1, 0, 0}, 2.2);
+  const Blend_mesh steep = transformed(high, turn);
+  const Cut_plane up{turn.transform(Point_3(0, 0, 1.5)), turn.transform(Vector_3(0, 0, -1))};
+  EXPECT_EQ(status(a, {{&steep}, up}), Status::planes_too_steep);
+  // An elbow whose legs cross: the wedge is too narrow.
+  const Placement across = moved_by(0.6, 0, -0.2) * placement({0, 1, 0}, pi / 2) * moved_by(0, 0, -1.5);
+  const Blend_mesh crossing = transformed(high, across);
+  const Cut_plane there{across.transform(Point_3(0, 0, 1.5)), across.transform(Vector_3(0, 0, -1))};
+  const Status s = status(a, {{&crossing}, there});
+  EXPECT_TRUE(s == Status::sides_interpenetrate || s == Status::blend_folds) << name(s);
+}
+
+TEST_F(Fuse_refuses, openings_in_each_others_way) {
+  const Blend_mesh beside = transformed(low, moved_by(1.5, 0, 0)), inside = frustum(0.4, 0.4, 24, -1, 0.5, 4);
+  EXPECT_EQ(status({{&low, &beside}, lower_plane}, b), Status::openings_overlap);
+  EXPECT_EQ(status({{&low, &inside}, lower_plane}, b), Status::sides_interpenetrate) << "a solid in a solid";
+  // Openings that are apart, of bodies that cross deeper down.
+  const Blend_mesh left = transformed(frustum(1.5, 0.4, 24, -3, 0.5, 4), moved_by(-1, 0, 0)),
+                   right = transformed(frustum(1.5, 0.4, 24, -3, 0.5, 4), placement({0, 0, 1}, 0.1, {1, 0, 0}));
+  EXPECT_EQ(status({{&left, &right}, lower_plane}, b), Status::sides_interpenetrate);
+}
+
+TEST_F(Fuse_refuses, kept_parts_in_the_way_of_the_transition) {
+  // A mesh with a hole may have pieces above its own plane: nothing has been cut off.
+  Blend_mesh open = low;
+  for (const Face f : open.faces()) {
+    double least = 9;
+    for (const std::size_t v : corners_of(open, f)) least = std::min(least, open.point(Vertex(v)).z());
+    if (least > 0.49) CGAL::Euler::remove_face(open.halfedge(f), open);
+  }
+  open.collect_garbage();
+  Blend_mesh out;
+  ASSERT_TRUE(fuse(Fusion_side{{&open}, std::nullopt}, b, out).ok());
+  const Blend_mesh knife = side_by_side(open, box({0.6, -0.1, 0.9}, {2, 0.1, 1.1}));
+  EXPECT_EQ(status({{&knife}, std::nullopt}, b), Status::blend_collides);
+  const Blend_mesh beside = side_by_side(open, box({1.6, -0.1, 0.9}, {2, 0.1, 1.1}));
+  EXPECT_TRUE(fuse(Fusion_side{{&beside}, std::nullopt}, b, out).ok()) << "elsewhere it may be";
+  const Blend_mesh high_up = side_by_side(open, box({0.5, -0.1, 2}, {2, 0.1, 2.2}));
+  EXPECT_EQ(status({{&high_up}, std::nullopt}, b), Status::sides_interpenetrate) << "into the upper side";
+  // A rim from which the mesh goes up: it is its own lid that it would be joined to.
+  const Blend_mesh bowl = transformed(open, placement({1, 0, 0}, pi, {0, 0, 1}));
+  EXPECT_EQ(status({{&bowl}, std::nullopt}, b), Status::planes_too_steep);
+}
+
+TEST_F(Fuse_refuses, bad_options) {
+  Fuse_options options;
+  options.eta = {-0.1, 0.5};
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  options = {};
+  options.step = 0;
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  options = {};
+  options.edge = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  options = {};
+  options.grading = 0.5;
+  EXPECT_EQ(status(a, b, options), Status::invalid_parameter);
+  EXPECT_EQ(status({{}, lower_plane}, b), Status::invalid_parameter);
+  options = {};
+  options.progress = [](double) { return false; };
+  EXPECT_EQ(status(a, b, options), Status::cancelled);
+}
+
+TEST_F(Fuse_refuses, bad_meshes) {
+  Blend_mesh open = low;
+  CGAL::Euler::remove_face(open.halfedge(*open.faces().begin()), open);
+  open.collect_garbage();
+  EXPECT_EQ(status({{&open}, lower_plane}, b), Status::input_not_closed);
+  const Blend_mesh spiked = box_with_folded_spike();
+  EXPECT_EQ(status({{&spiked}, lower_plane}, b), Status::input_self_intersecting);
+  const Blend_mesh reversed = inside_out(low), none;
+  EXPECT_EQ(status({{&reversed}, lower_plane}, b), Status::input_misoriented);
+  EXPECT_EQ(status({{&none}, lower_plane}, b), Status::input_empty);
+}
+
+TEST_F(Fuse_refuses, holes_that_the_plane_leaves_or_meets) {
+  Blend_mesh above = low, across = low;
+  const auto open_at = [](Blend_mesh& mesh, double from, double to) {
+    for (const Face f : mesh.faces()) {
+      double least = 9, most = -9;
+      for (const std::size_t v : corners_of(mesh, f)) {
+        least = std::min(least, mesh.point(Vertex(v)).z());
+        most = std::max(most, mesh.point(Vertex(v)).z());
+      }
+      if (least < from || most > to) continue;
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+      break;
+    }
+    mesh.collect_garbage();
+  };
+  open_at(above, 0.4, 0.6);
+  Blend_mesh out;
+  EXPECT_TRUE(fuse(Fusion_side{{&above}, lower_plane}, b, out).ok()) << "the hole is cut off";
+  open_at(across, -0.26, 0.13);
+  EXPECT_EQ(status({{&across}, lower_plane}, b), Status::section_not_closed);
+}
+
+}  // namespace
