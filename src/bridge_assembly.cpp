@@ -163,13 +163,18 @@ class Finisher {
   }
 
  private:
-  [[nodiscard]] bool is_kept(Face f) const { return f.idx() < old_faces_ && body_.cells.whole(f, mesh_); }
+  [[nodiscard]] bool is_kept(Face f) const {
+    return f.idx() < old_faces_ && (body_.whole.empty() || body_.whole[f.idx()]);
+  }
+
+  [[nodiscard]] std::uint32_t input_face(std::uint32_t face) const {
+    return body_.origins.empty() ? face : body_.origins[face];
+  }
 
   [[nodiscard]] std::uint32_t origin(Face f) const {
-    if (f.idx() < old_faces_) return body_.cells.cell(f);
+    if (f.idx() < old_faces_) return input_face(f.idx());
     const std::size_t added = f.idx() - old_faces_;
-    if (added >= trimming_.remnant_cells.size()) return no_origin;
-    return body_.cells.cell(Face(trimming_.remnant_cells[added]));  // cut as a mesh of its own
+    return added < trimming_.remnant_cells.size() ? input_face(trimming_.remnant_cells[added]) : no_origin;
   }
 
   const Bridge_body& body_;

@@ -204,6 +204,8 @@ Bridge_side make_side(const Base_surface& surface, const std::vector<Face_point>
                       const Bridge_options& options) {
   Bridge_side side = begin_side(surface, end, false);
   if (!side.diagnosis.ok()) return side;
+  // Along a curve and away from it to the left is the other way round than outward and counter-clockwise round a point.
+  side.curve = [along = side.curve](double s) { return along(1 - s); };
   side.polar = std::make_unique<Geodesic_polar>(surface.mesh(), source, reach * side.size,
                                                 Geodesic_polar_options{{}, options.fill_holes});
   finish_side(side, options);
