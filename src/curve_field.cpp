@@ -26,6 +26,12 @@ Arrival straight_on(const Edge_view& view, double at_i, double at_j, double boun
   return {distance<bound, distance, left + right> 0 ? left / (left + right) : 0.5};
 }
 
+/// Distance by a straight front, which may start at an end only.
+double straight_distance(const Edge_view& view, double at_i, double at_j) {
+  const Arrival arrival = straight_on(view, at_i, at_j, Geodesic_field::infinite);
+  return arrival.distance;
+}
+
 /// A front that contracts to a point on the left of the edge.
 /// \param to_i, to_j distances of the ends from that point
 Arrival towards_point(const Edge_view& view, double to_i, double to_j, double at_i, double at_j, double bound) {
@@ -64,14 +70,21 @@ class Curve_front {
   [[nodiscard]] Arrival arrive(const Edge_view& view, std::int32_t i, std::int32_t j, double bound) const {
     const double at_i = field_.at[i].distance, at_j = field_.at[j].distance;
     if (!std::isfinite(at_i + at_j)) return around_end(view, at_i, at_j, bound);
+    const double e = view.edge.norm(), least = std::min(at_i, at_j);
     const double mean = 0.5 * (curvature_[i] + curvature_[j]);
-    if (std::abs(mean) * (view.edge.norm() + std::min(at_i, at_j)) < straight)
-      return straight_on(view, at_i, at_j, bound);
-    const double radius = 1 / mean;
-    if (radius < 0) {
-      if (at_i + radius >= 0 || at_j + radius >= 0) return around_end(view, at_i, at_j, bound);
-      return towards_point(view, -radius - at_i, -radius - at_j, at_i, at_j, bound);
-    }
+    if (std::abs(mean) * (e + least) < straight) return straight_on(view, at_i, at_j, bound);
+    // The curve's edges are straight, and the circle through their ends is not near them: there only its rays count.
+    if (least > 0.25 * e * e * std::abs(mean)) return curved(view, 1 / mean, at_i, at_j, bound);
+    Arrival arrival = curved(view, 1 / mean, at_i, at_j, Geodesic_field::infinite);
+    if (arrival.share > 0 && arrival.share < 1) arrival.distance = straight_distance(view, at_i, at_j);
+    arrival.improves = arrival.distance < bound;
+    return arrival;
+  }
+
+  /// \param radius of the circle that the front comes from, negative if it contracts
+  static Arrival curved(const Edge_view& view, double radius, double at_i, double at_j, double bound) {
+    if (radius < 0 && (at_i + radius >= 0 || at_j + radius >= 0)) return around_end(view, at_i, at_j, bound);
+    if (radius < 0) return towards_point(view, -radius - at_i, -radius - at_j, at_i, at_j, bound);
     Arrival arrival = around_point(view, at_i + radius, at_j + radius, bound + radius);
     arrival.distance -= radius;
     return arrival;
