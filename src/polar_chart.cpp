@@ -85,6 +85,7 @@ void Polar_chart::find_folds() {
     if (!is_reached(t) || (!on_left.empty() && !on_left[t])) continue;
     used_[t] = 1;
     if (is_upright(t)) continue;
+    if (getenv("DBG")) { fprintf(stderr,"bad %d:",t); for (auto v : region_.triangles()[t].corner) fprintf(stderr," v%d (d %.3g a %.6f) at %.5f %.5f",v,field_.at[v].distance,field_.at[v].angle,region_.points()[v].x(),region_.points()[v].y()); fprintf(stderr,"\n"); }
     used_[t] = 0;
     for (const std::int32_t v : region_.triangles()[t].corner) {
       if (field_.at[v].distance >= bound_.fold) continue;

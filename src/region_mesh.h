@@ -37,6 +37,9 @@ class Region_mesh {
   /// slot + 2, and the triangles on both sides; returns the new vertex.
   std::int32_t divide(std::int32_t triangle, int slot, double share, const Vec& at);
 
+  /// Divides a triangle into three at a place inside; returns the new vertex.
+  std::int32_t divide(std::int32_t triangle, const std::array<double, 3>& weights, const Vec& at);
+
   /// Divides triangles from the first to be looked at on by their longest edges until no one that passes the test has an
   /// edge longer than a length (Rivara's longest-edge propagation: no angle is less than half the least one before).
   void refine(std::int32_t first, double length, const std::function<bool(const std::array<Vec, 3>&)>& belongs);
@@ -83,12 +86,12 @@ class Region_mesh {
   void join(std::int32_t triangle, int slot, std::int32_t other, int other_slot);
 
  private:
-  /// A triangle that was divided: the edge opposite of a slot, at a share of the way.
+  /// A triangle, and if it was divided, by a new vertex: part i has that in place of corner i.
   struct Division {
     std::int32_t parent = -1;
-    std::array<std::int32_t, 2> part{-1, -1};  ///< divisions of the parts; of a leaf: its triangle and -1
-    int slot = 0;
-    double share = 0.5;
+    std::int32_t triangle = -1;                    ///< if it is whole
+    std::array<std::int32_t, 3> part{-1, -1, -1};  ///< divisions; -1 where the new vertex is on the edge opposite of i
+    std::array<double, 3> at{};                    ///< weights of the new vertex
   };
   struct Longest {
     int slot;
@@ -99,7 +102,9 @@ class Region_mesh {
 
   std::int32_t add_face(Face f);
   std::int32_t add_vertex(Vertex v);
-  std::int32_t leaf_of(std::int32_t triangle);
+  std::int32_t root_of(std::int32_t triangle);
+  void record(std::int32_t node, int slot, std::int32_t triangle);
+  void replace_beyond(std::int32_t triangle, std::int32_t old, std::int32_t by);
   std::int32_t halve(std::int32_t triangle, int slot, std::int32_t vertex, double share);
   [[nodiscard]] Longest longest_edge(std::int32_t triangle) const;
   void divide_longest(std::int32_t triangle);

@@ -21,7 +21,7 @@ template <class Step>
 void run_fronts(const Region_mesh& region, double limit, Geodesic_field& field, const Step& step) {
   using Entry = std::pair<double, std::int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (const std::int32_t v : field.fixed) queue.emplace(field.at[v].distance, v);
+  for (const std::int32_t v : field.seeds) queue.emplace(field.at[v].distance, v);
   while (!queue.empty() && queue.top().first <= limit) {
     const auto [distance, v] = queue.top();
     queue.pop();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cgal_blend {
 
@@ -13,7 +14,8 @@ constexpr int angle_rounds = 12, place_rounds = 12;
 class Unfolding {
  public:
   Unfolding(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field)
-      : region_(region), kind_(kind), limit_(limit), field_(field) {
+      : region_(region), kind_(kind), limit_(limit), field_(field), is_fixed_(field.at.size(), 0) {
+    for (const std::int32_t v : field.fixed) is_fixed_[v] = 1;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(region.triangles().size()); ++t)
       if (is_folded(t)) folded_.push_back(t);
   }
@@ -53,33 +55,39 @@ class Unfolding {
     std::vector<std::int32_t> vertices;
     for (const std::int32_t t : folded_)
       for (const std::int32_t v : region_.triangles()[t].corner)
-        if (field_.at[v].distance > 0 && std::find(field_.fixed.begin(), field_.fixed.end(), v) == field_.fixed.end())
-          vertices.push_back(v);
+        if (field_.at[v].distance > 0 && !is_fixed_[v]) vertices.push_back(v);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
   }
 
+  /// With mean value weights, which leave a vertex where it is if the chart around it is linear (Floater 2003).
   void move(std::int32_t v, bool freely) {
     auto& [distance, angle] = field_.at[v];
-    double turns = 0;
+    const Vec& origin = region_.points()[v];
+    const double around = angle;
     Eigen::Vector2d sum(0, 0);
-    int count = 0;
+    double turns = 0, weights = 0;
     bool inside = true;
     region_.for_star(v, [&](std::int32_t t, int slot) {
-      const std::int32_t w = region_.triangles()[t].corner[(slot + 1) % 3];  // inside: each neighbour once
-      inside = inside && field_.at[w].distance <= limit_ && region_.triangles()[t].beyond[(slot + 2) % 3] >= 0;
+      const auto& [corner, beyond] = region_.triangles()[t];
+      const std::int32_t p = corner[(slot + 1) % 3], q = corner[(slot + 2) % 3];
+      inside = inside && field_.at[p].distance <= limit_ && beyond[(slot + 2) % 3] >= 0;
       if (!inside) return;
-      turns += turn(angle, field_.at[w].angle);
-      sum += place(w, angle);
-      ++count;
+      const Vec to_p = region_.points()[p] - origin, to_q = region_.points()[q] - origin;
+      const double tangent = std::tan(0.5 * angle_between(to_p, to_q));
+      for (const auto& [w, weight] : {std::pair{p, tangent / to_p.norm()}, std::pair{q, tangent / to_q.norm()}}) {
+        turns += weight * turn(around, field_.at[w].angle);
+        sum += weight * place(w, around);
+        weights += weight;
+      }
     });
-    if (!inside) return;
+    if (!inside || !(weights > 0) || !std::isfinite(weights)) return;
     if (!freely) {
-      angle = wrapped(angle + turns / count);
+      angle = wrapped(around + turns / weights);
       return;
     }
-    sum /= count;
+    sum /= weights;
     distance = kind_ == Chart_kind::band ? sum.y() : sum.norm();
     angle = wrapped(kind_ == Chart_kind::band ? sum.x() : std::atan2(sum.y(), sum.x()));
   }
@@ -97,6 +105,7 @@ class Unfolding {
   Chart_kind kind_;
   double limit_;
   Geodesic_field& field_;
+  std::vector<char> is_fixed_;
   std::vector<std::int32_t> folded_;
 };
 
