@@ -9,7 +9,7 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr int angle_rounds = 12, place_rounds = 12;
+constexpr int angle_rounds = 12, place_rounds = 60;
 
 class Unfolding {
  public:
