@@ -278,14 +278,47 @@ Face_point Region_mesh::in_face(const Place& place) const {
     for (int i = 0; i < 3; ++i) w[i] = (i == slot ? 0 : w[i]) + of_vertex * division.at[i];
     child = node;
   }
-  return {faces_[place.triangle], w};
+  if (child < 0 || divisions_[child].piece < 0) return {faces_[place.triangle], w};
+  std::array<double, 3> whole{};
+  const Piece& piece = pieces_[divisions_[child].piece];
+  for (int corner = 0; corner < 3; ++corner)
+    for (int i = 0; i < 3; ++i) whole[i] += w[corner] * piece[corner][i];
+  return {faces_[place.triangle], whole};
+}
+
+/// The division that contains a place of a face, whose weights become those in it.
+std::int32_t Region_mesh::start_of(Place& place) const {
+  const auto pieces = pieces_of_.find(faces_[place.triangle]);
+  if (pieces == pieces_of_.end()) {
+    std::int32_t node = leaf_[place.triangle];
+    while (divisions_[node].parent >= 0) node = divisions_[node].parent;
+    return node;
+  }
+  const std::array<double, 3> at = place.weights;
+  std::int32_t best = -1;
+  double most = 0;  // of the least weight
+  for (const std::int32_t node : pieces->second) {
+    const Piece& p = pieces_[divisions_[node].piece];
+    const auto area = [](const auto& a, const auto& b, const auto& c) {
+      return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+    };
+    const double whole = area(p[0], p[1], p[2]);
+    const std::array<double, 3> w{area(at, p[1], p[2]) / whole, area(p[0], at, p[2]) / whole,
+                                  area(p[0], p[1], at) / whole};
+    const double least = std::min({w[0], w[1], w[2]});
+    if (best >= 0 && least <= most) continue;
+    best = node;
+    most = least;
+    place.weights = w;
+  }
+  for (double& w : place.weights) w = std::max(w, 0.0);
+  return best;
 }
 
 Region_mesh::Place Region_mesh::in_triangle(const Face_point& at) const {
   Place place{triangle_of_[at.face.idx()], at.weights};
   if (place.triangle < 0 || leaf_[place.triangle] < 0) return place;
-  std::int32_t node = leaf_[place.triangle];
-  while (divisions_[node].parent >= 0) node = divisions_[node].parent;
+  std::int32_t node = start_of(place);
   auto& w = place.weights;
   while (divisions_[node].triangle < 0) {
     const Division& division = divisions_[node];

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,10 @@ class Region_mesh {
 
   /// Divides a triangle into three at a place inside; returns the new vertex.
   std::int32_t divide(std::int32_t triangle, const std::array<double, 3>& weights, const Vec& at);
+
+  /// Flips edges within faces of the mesh that have been divided until they are Delaunay between edges that were cut. What
+  /// has been divided so far is not divided any more, it is in pieces.
+  void make_delaunay();
 
   /// Divides triangles from the first to be looked at on by their longest edges until no one that passes the test has an
   /// edge longer than a length (Rivara's longest-edge propagation: no angle is less than half the least one before).
@@ -92,7 +97,17 @@ class Region_mesh {
     std::int32_t triangle = -1;                    ///< if it is whole
     std::array<std::int32_t, 3> part{-1, -1, -1};  ///< divisions; -1 where the new vertex is on the edge opposite of i
     std::array<double, 3> at{};                    ///< weights of the new vertex
+    std::int32_t piece = -1;                       ///< of a face in pieces: which one
   };
+  /// A triangle within a face: the weights of its corners there.
+  using Piece = std::array<std::array<double, 3>, 3>;
+
+  void put_into_pieces();
+  void flip(std::int32_t triangle, int slot);
+  [[nodiscard]] std::int32_t flippable(std::int32_t triangle, int slot) const;
+  [[nodiscard]] bool is_delaunay(std::int32_t triangle, int slot, std::int32_t other) const;
+  [[nodiscard]] Kernel::Point_2 in_plane(std::int32_t triangle, int slot) const;
+  [[nodiscard]] std::int32_t start_of(Place& place) const;
   struct Longest {
     int slot;
     double squared_length;
@@ -117,7 +132,9 @@ class Region_mesh {
   std::vector<Face> faces_;
   std::vector<std::int32_t> leaf_;  // by triangle: its division; -1: a whole face
   std::vector<Division> divisions_;
-  std::vector<Halfedge> rim_;  // halfedges of faces beyond the region
+  std::vector<Piece> pieces_;
+  std::map<Face, std::vector<std::int32_t>> pieces_of_;  // of a face in pieces: their divisions
+  std::vector<Halfedge> rim_;                            // halfedges of faces beyond the region
 };
 
 template <class Visitor>

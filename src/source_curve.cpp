@@ -294,6 +294,7 @@ Diagnosis cut_along(Region_mesh& region, const std::vector<Curve_point>& curve, 
     left.push_back(edge);
   }
   for (const auto& [triangle, slot] : left) region.cut(triangle, slot);
+  region.make_delaunay();
   divide_shortcuts(region, chain);
   return diagnosis;
 }

@@ -9,7 +9,8 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr int angle_rounds = 12, place_rounds = 12;
+constexpr int angle_rounds = 12, most_rounds = 72;
+constexpr int patience = 18;  // rounds without fewer folds
 
 class Unfolding {
  public:
@@ -21,10 +22,14 @@ class Unfolding {
   }
 
   void run() {
-    for (int round = 0; round < angle_rounds + place_rounds && !folded_.empty(); ++round) {
+    std::size_t fewest = folded_.size();
+    int since = 0;
+    for (int round = 0; round < most_rounds && since < patience && !folded_.empty(); ++round) {
       const std::vector<std::int32_t> vertices = movable();
       for (const std::int32_t v : vertices) move(v, round >= angle_rounds);
       collect(vertices);
+      since = folded_.size() < fewest ? 0 : since + 1;
+      fewest = std::min(fewest, folded_.size());
     }
   }
 
