@@ -102,20 +102,29 @@ class Crossing_bridges {
   std::deque<Bridge_grid> grids_;
 };
 
+Bridge_outcome bridge_crossing(const Blend_mesh& a, const Blend_mesh& b, const std::array<Bridge_end, 2>& ends,
+                               Blend_mesh& out, const Bridge_options& options) {
+  Bridge_outcome outcome;
+  const auto goes_on = [&](double done) {
+    if (outcome.ok() && options.progress && !options.progress(done)) outcome.diagnosis.status = Status::cancelled;
+    return outcome.ok();
+  };
+  outcome.diagnosis = check_options(ends, options);
+  if (!goes_on(0)) return outcome;
+  const Bridge_union sharp = unite(a, b);
+  outcome.diagnosis = sharp.diagnosis;
+  if (!goes_on(0.5)) return outcome;
+  return Crossing_bridges(sharp, ends, options).run(out);
+}
+
 }  // namespace
 
 namespace unchecked {
 
 Bridge_outcome bridge_intersection(const Blend_mesh& a, const Blend_mesh& b, const std::array<Bridge_end, 2>& ends,
                                    Blend_mesh& out, const Bridge_options& options) {
-  Bridge_outcome outcome;
-  outcome.diagnosis = check_options(ends, options);
-  if (!outcome.ok()) return outcome;
-  const Bridge_union sharp = unite(a, b);
-  outcome.diagnosis = sharp.diagnosis;
-  if (!outcome.ok()) return outcome;
   Blend_mesh result;  // `out` may be an operand
-  outcome = Crossing_bridges(sharp, ends, options).run(result);
+  Bridge_outcome outcome = bridge_crossing(a, b, ends, result, options);
   for (Bridge_report& report : outcome.bridges) report.lambda = {ends[0].lambda, ends[1].lambda};
   out = std::move(result);
   return outcome;

@@ -132,7 +132,6 @@ bool is_covered(const Bridge_side& side) {
 /// What follows once the curve is known to be sound and there are coordinates.
 void finish_side(Bridge_side& side, const Bridge_options& options) {
   side.diagnosis = side.polar->diagnosis();
-  side.holes = options.fill_holes;
   if (!side.diagnosis.ok()) return;
   if (!is_covered(side)) {
     side.diagnosis.status = Status::radius_exceeds_cut_locus;
@@ -156,8 +155,10 @@ Bridge_side begin_side(const Base_surface& surface, const Bridge_end& end, bool 
 }  // namespace
 
 Vec Bridge_side::contact(double s) const {
-  const auto at = polar->locate(curve(s));
-  return to_vec(at ? position(surface->mesh(), *at) : polar->point(curve(s)));
+  const Polar_point end = curve(s);
+  for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.9})  // coordinates may have a gap at their border
+    if (const auto at = polar->locate({part * end.distance, end.angle})) return to_vec(position(surface->mesh(), *at));
+  return to_vec(polar->point({0, end.angle}));
 }
 
 Vec Bridge_side::near_contact(double s, double x, const Vec& place) const {
@@ -193,9 +194,9 @@ Bridge_side make_side(const Base_surface& surface, const Bridge_end& end, const 
     return side;
   }
   const Surface_point at = surface.locate(nearest.face, to_vec(end.spot));
-  side.polar = std::make_unique<Geodesic_polar>(
-      surface.mesh(), Face_point{at.face, {at.bary[0], at.bary[1], at.bary[2]}}, reach * side.size,
-      Geodesic_polar_options{end.zero_direction, options.fill_holes});
+  side.polar =
+      std::make_unique<Geodesic_polar>(surface.mesh(), Face_point{at.face, {at.bary[0], at.bary[1], at.bary[2]}},
+                                       reach * side.size, Geodesic_polar_options{end.zero_direction});
   finish_side(side, options);
   return side;
 }
@@ -206,8 +207,7 @@ Bridge_side make_side(const Base_surface& surface, const std::vector<Face_point>
   if (!side.diagnosis.ok()) return side;
   // Along a curve and away from it to the left is the other way round than outward and counter-clockwise round a point.
   side.curve = [along = side.curve](double s) { return along(1 - s); };
-  side.polar = std::make_unique<Geodesic_polar>(surface.mesh(), source, reach * side.size,
-                                                Geodesic_polar_options{{}, options.fill_holes});
+  side.polar = std::make_unique<Geodesic_polar>(surface.mesh(), source, reach * side.size);
   finish_side(side, options);
   return side;
 }

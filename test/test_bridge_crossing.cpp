@@ -143,7 +143,7 @@ TEST(Bridge_crossing, is_deterministic) {
 TEST(Bridge_crossing, refuses_by_name) {
   const Crossing_spheres spheres;
   const Blend_mesh a = spheres.body(0, 3), b = spheres.body(1, 3);
-  Blend_mesh out;
+  Blend_mesh out = box({0, 0, 0}, {1, 1, 1});
   EXPECT_EQ(unchecked::bridge_intersection(a, sphere(0.5, 3, {0, 0, 5}), spheres.ends(), out).diagnosis.status,
             Status::operands_disjoint);
   auto ends = spheres.ends();

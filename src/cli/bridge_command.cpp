@@ -201,7 +201,6 @@ void add_shape(CLI::App& command, Command_options& o) {
   add_number(command, "--smooth-angle", o.bridge.smooth_angle, 0, 180, true,
              "Faces whose normals differ by less belong to one smooth surface [40]")
       ->type_name("DEG");
-  command.add_flag("--fill-holes", o.bridge.fill_holes, "Allow holes within the contact curves");
 }
 
 }  // namespace
