@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polar_chart.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +12,8 @@ namespace {
 
 constexpr double infinite = Geodesic_field::infinite;
 constexpr double rounding = 1e-9;  // of weights
+// Height of triangles that may be turned over, over the radius: coordinates are not certain by more than this there.
+constexpr double thin = 2e-4;
 
 /// Distance of a segment from the origin.
 double distance_of(const Kernel::Point_2& p, const Kernel::Point_2& q) {
@@ -73,7 +77,15 @@ bool Polar_chart::is_upright(std::int32_t triangle) const {
          CGAL::orientation(c, a, o) == CGAL::RIGHT_TURN;
 }
 
-/// Upright triangles cover each point as often as their rim winds around it. So if no other than those of the source
+/// So thin on the surface that a fold there is of no account.
+bool Polar_chart::is_thin(std::int32_t triangle) const {
+  const auto c = region_.corners(triangle);
+  const Vec p = c[1] - c[0], q = c[2] - c[0];
+  const double longest = std::max({p.norm(), q.norm(), (q - p).norm()});
+  return p.cross(q).norm() < thin * radius_ * longest;
+}
+
+/// Upright triangles cover each point as often as their rim winds around it, turned ones take away as often. So if no other than those of the source
 /// cover the source, all is covered once that is nearer than the rim, whatever the region's topology.
 void Polar_chart::find_folds() {
   bound_ = {infinite, infinite, -1, -1};
@@ -84,8 +96,7 @@ void Polar_chart::find_folds() {
   for (std::int32_t t = 0; t < count; ++t) {
     if (!is_reached(t) || (!on_left.empty() && !on_left[t])) continue;
     used_[t] = 1;
-    if (is_upright(t)) continue;
-    if (getenv("DBG")) { fprintf(stderr,"bad %d:",t); for (auto v : region_.triangles()[t].corner) fprintf(stderr," v%d (d %.3g a %.6f) at %.5f %.5f",v,field_.at[v].distance,field_.at[v].angle,region_.points()[v].x(),region_.points()[v].y()); fprintf(stderr,"\n"); }
+    if (is_upright(t) || is_thin(t)) continue;
     used_[t] = 0;
     for (const std::int32_t v : region_.triangles()[t].corner) {
       if (field_.at[v].distance >= bound_.fold) continue;
@@ -98,7 +109,6 @@ void Polar_chart::find_folds() {
 }
 
 void Polar_chart::find_rim() {
-  const double fold = bound_.fold;
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(used_.size()); ++t) {
     if (!used_[t]) continue;
     const auto& [corner, beyond] = region_.triangles()[t];
@@ -107,7 +117,6 @@ void Polar_chart::find_rim() {
       const std::int32_t p = corner[(slot + 1) % 3], q = corner[(slot + 2) % 3];
       if (beyond[slot] == Region_mesh::seam) continue;  // the source
       const bool at_border = beyond[slot] == Region_mesh::border;
-      if (!at_border && fold == infinite) continue;  // beyond the limit
       const double distance =
           kind_ == Chart_kind::disk ? distance_of(points_[p], points_[q]) : std::min(points_[p].y(), points_[q].y());
       double& bound = at_border ? bound_.border : bound_.fold;
@@ -180,6 +189,7 @@ std::optional<Region_mesh::Place> Polar_chart::locate(const Polar_point& at) con
                         CGAL::orientation(d, a, p) != CGAL::RIGHT_TURN;
     if (!inside && !is_band) continue;
     const double whole = CGAL::area(a, b, d);
+    if (!(whole > 0)) continue;
     std::array<double, 3> w{CGAL::area(b, d, p) / whole, CGAL::area(d, a, p) / whole, CGAL::area(a, b, p) / whole};
     const double lowest = std::min({w[0], w[1], w[2]});
     if (!inside && lowest < least) continue;

@@ -46,6 +46,7 @@ class Polar_chart {
   [[nodiscard]] bool is_reached(std::int32_t triangle) const;
   [[nodiscard]] double nearest(std::int32_t triangle) const;
   [[nodiscard]] bool is_upright(std::int32_t triangle) const;
+  [[nodiscard]] bool is_thin(std::int32_t triangle) const;
   void find_folds();
   void find_rim();
   [[nodiscard]] bool is_upright_in_band(std::int32_t triangle) const;
