@@ -132,6 +132,22 @@ TEST(Bridge_crossing, takes_cylinders_in_symmetric_position) {
   }
 }
 
+TEST(Bridge_crossing, takes_coarse_bodies_and_few_facets) {
+  const Blend_mesh upright = cylinder(0.6, 16, -1.5, 1.5, 6),
+                   lying = transformed(cylinder(0.45, 16, -1.5, 1.5, 6), placement({0, 1, 0}, pi / 2));
+  for (const std::size_t segments : {12, 20, 48})
+    for (const std::size_t rows : {3, 4, 6, 32}) {
+      Bridge_options options;
+      options.segments = segments;
+      options.rows = rows;
+      Blend_mesh out;
+      const Bridge_outcome outcome = unchecked::bridge_intersection(
+          upright, lying, {end_at({0, 0, 0}, 0.15), end_at({0, 0, 0}, 0.15)}, out, options);
+      ASSERT_TRUE(outcome.ok()) << segments << " x " << rows << ": " << message(outcome.diagnosis);
+      EXPECT_EQ(euler(out), 2);
+    }
+}
+
 TEST(Bridge_crossing, is_deterministic) {
   const Crossing_spheres spheres;
   Blend_mesh once, again;
