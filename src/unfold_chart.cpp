@@ -10,7 +10,8 @@ namespace cgal_blend {
 namespace {
 
 // More would unfold more, but move what lies around far from its geodesic distance.
-constexpr int angle_rounds = 12, place_rounds = 12;
+constexpr int angle_rounds = 12, place_rounds = 12, place_rounds_in_band = 60;
+constexpr int patience = 18;  // rounds without fewer folds
 
 class Unfolding {
  public:
@@ -22,10 +23,15 @@ class Unfolding {
   }
 
   void run() {
-    for (int round = 0; round < angle_rounds + place_rounds && !folded_.empty(); ++round) {
+    std::size_t fewest = folded_.size();
+    int since = 0;
+    const int rounds = angle_rounds + (kind_ == Chart_kind::disk ? place_rounds : place_rounds_in_band);
+    for (int round = 0; round < rounds && since < patience && !folded_.empty(); ++round) {
       const std::vector<std::int32_t> vertices = movable();
       for (const std::int32_t v : vertices) move(v, round >= angle_rounds);
       collect(vertices);
+      since = folded_.size() < fewest ? 0 : since + 1;
+      fewest = std::min(fewest, folded_.size());
     }
   }
 
@@ -49,7 +55,7 @@ class Unfolding {
     const double around = field_.at[corner[0]].angle;
     const bool upright = CGAL::orientation(point(corner[0], around), point(corner[1], around),
                                            point(corner[2], around)) == CGAL::LEFT_TURN;
-    return !upright && region_.height(t) >= thin_;
+    return !upright && (kind_ == Chart_kind::band || region_.height(t) >= thin_);
   }
 
   /// The corners of folded triangles, but the source and what has its coordinates from the start.

@@ -11,7 +11,7 @@ namespace cgal_blend {
 /// mean of their neighbours: angles first, then, where that does not do, places. Behind a vertex with more than a full
 /// turn around it all geodesics have one angle, on a rough surface neighbours may overtake each other; folds that are
 /// wider than a few triangles stay.
-/// \param thin height of triangles that do not matter, length units
+/// \param thin height of triangles that do not matter in a disk, length units
 void unfold_chart(const Region_mesh& region, Chart_kind kind, double thin, double limit, Geodesic_field& field);
 
 }  // namespace cgal_blend
