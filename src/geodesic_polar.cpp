@@ -101,7 +101,7 @@ void Geodesic_polar::Impl::lay_out(Chart_kind kind) {
   if (!chart->is_one_to_one()) {
     const double fold = chart->bound().fold;
     const Geodesic_field straight = *field;
-    unfold_chart(region, kind, limit, *field);
+    unfold_chart(region, kind, thin_height(kind, radius), limit, *field);
     chart.emplace(region, *field, kind, radius, limit);
     if (chart->bound().fold <= fold) {
       *field = straight;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polar_chart.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +10,6 @@ namespace {
 
 constexpr double infinite = Geodesic_field::infinite;
 constexpr double rounding = 1e-9;  // of weights
-// Height of triangles that may be turned over, over the radius: coordinates are not certain by more than this there.
-constexpr double thin = 2e-4;
 
 /// Distance of a segment from the origin.
 double distance_of(const Kernel::Point_2& p, const Kernel::Point_2& q) {
@@ -23,6 +19,11 @@ double distance_of(const Kernel::Point_2& p, const Kernel::Point_2& q) {
 }
 
 }  // namespace
+
+double thin_height(Chart_kind kind, double radius) {
+  constexpr double in_disk = 1e-5, in_band = 5e-4;
+  return radius * (kind == Chart_kind::disk ? in_disk : in_band);
+}
 
 Polar_chart::Polar_chart(const Region_mesh& region, const Geodesic_field& field, Chart_kind kind, double radius,
                          double limit)
@@ -77,14 +78,6 @@ bool Polar_chart::is_upright(std::int32_t triangle) const {
          CGAL::orientation(c, a, o) == CGAL::RIGHT_TURN;
 }
 
-/// So thin on the surface that a fold there is of no account.
-bool Polar_chart::is_thin(std::int32_t triangle) const {
-  const auto c = region_.corners(triangle);
-  const Vec p = c[1] - c[0], q = c[2] - c[0];
-  const double longest = std::max({p.norm(), q.norm(), (q - p).norm()});
-  return p.cross(q).norm() < thin * radius_ * longest;
-}
-
 /// Upright triangles cover each point as often as their rim winds around it, turned ones take away as often. So if no other than those of the source
 /// cover the source, all is covered once that is nearer than the rim, whatever the region's topology.
 void Polar_chart::find_folds() {
@@ -96,7 +89,7 @@ void Polar_chart::find_folds() {
   for (std::int32_t t = 0; t < count; ++t) {
     if (!is_reached(t) || (!on_left.empty() && !on_left[t])) continue;
     used_[t] = 1;
-    if (is_upright(t) || is_thin(t)) continue;
+    if (is_upright(t) || region_.height(t) < thin_height(kind_, radius_)) continue;
     used_[t] = 0;
     for (const std::int32_t v : region_.triangles()[t].corner) {
       if (field_.at[v].distance >= bound_.fold) continue;

@@ -18,6 +18,10 @@ enum class Chart_kind {
   band   ///< along a curve: vertices at (a, d), periodic in a, so that the chart along a straight line is exact
 };
 
+/// Height of triangles that may be turned over: coordinates are not certain by more than this there. Along a curve such
+/// triangles are the rule, where it runs near vertices and edges.
+[[nodiscard]] double thin_height(Chart_kind kind, double radius);
+
 /// A region laid out by its polar coordinates; its triangles are straight in the plane of the chart.
 class Polar_chart {
  public:
@@ -46,7 +50,6 @@ class Polar_chart {
   [[nodiscard]] bool is_reached(std::int32_t triangle) const;
   [[nodiscard]] double nearest(std::int32_t triangle) const;
   [[nodiscard]] bool is_upright(std::int32_t triangle) const;
-  [[nodiscard]] bool is_thin(std::int32_t triangle) const;
   void find_folds();
   void find_rim();
   [[nodiscard]] bool is_upright_in_band(std::int32_t triangle) const;

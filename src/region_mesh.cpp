@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "region_mesh.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace cgal_blend {
@@ -82,6 +84,13 @@ void Region_mesh::grow(Face first, const std::function<bool(Face)>& belongs) {
 std::array<Vec, 3> Region_mesh::corners(std::int32_t triangle) const {
   const auto& corner = triangles_[triangle].corner;
   return {points_[corner[0]], points_[corner[1]], points_[corner[2]]};
+}
+
+double Region_mesh::height(std::int32_t triangle) const {
+  const auto c = corners(triangle);
+  const Vec p = c[1] - c[0], q = c[2] - c[0];
+  const double longest = std::max({p.norm(), q.norm(), (q - p).norm()});
+  return longest > 0 ? p.cross(q).norm() / longest : 0;
 }
 
 std::vector<std::int32_t> Region_mesh::star(std::int32_t vertex) const {

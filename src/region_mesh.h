@@ -58,6 +58,8 @@ class Region_mesh {
   [[nodiscard]] const std::vector<Vec>& points() const { return points_; }
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
   [[nodiscard]] std::array<Vec, 3> corners(std::int32_t triangle) const;
+  /// The least height of a triangle.
+  [[nodiscard]] double height(std::int32_t triangle) const;
   /// Slot of a vertex among the corners of a triangle.
   [[nodiscard]] static int slot_of(const Triangle& triangle, std::int32_t vertex);
   /// The triangles around a vertex, counter-clockwise; of a border vertex from border to border.

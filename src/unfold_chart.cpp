@@ -9,13 +9,14 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr int angle_rounds = 12, most_rounds = 72;
+// More would unfold more, but move what lies around far from its geodesic distance.
+constexpr int angle_rounds = 12, place_rounds = 12, place_rounds_in_band = 60;
 constexpr int patience = 18;  // rounds without fewer folds
 
 class Unfolding {
  public:
-  Unfolding(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field)
-      : region_(region), kind_(kind), limit_(limit), field_(field), is_fixed_(field.at.size(), 0) {
+  Unfolding(const Region_mesh& region, Chart_kind kind, double thin, double limit, Geodesic_field& field)
+      : region_(region), kind_(kind), thin_(thin), limit_(limit), field_(field), is_fixed_(field.at.size(), 0) {
     for (const std::int32_t v : field.fixed) is_fixed_[v] = 1;
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(region.triangles().size()); ++t)
       if (is_folded(t)) folded_.push_back(t);
@@ -24,7 +25,8 @@ class Unfolding {
   void run() {
     std::size_t fewest = folded_.size();
     int since = 0;
-    for (int round = 0; round < most_rounds && since < patience && !folded_.empty(); ++round) {
+    const int rounds = angle_rounds + (kind_ == Chart_kind::disk ? place_rounds : place_rounds_in_band);
+    for (int round = 0; round < rounds && since < patience && !folded_.empty(); ++round) {
       const std::vector<std::int32_t> vertices = movable();
       for (const std::int32_t v : vertices) move(v, round >= angle_rounds);
       collect(vertices);
@@ -51,8 +53,9 @@ class Unfolding {
     for (const std::int32_t v : corner)
       if (!(field_.at[v].distance <= limit_)) return false;
     const double around = field_.at[corner[0]].angle;
-    return CGAL::orientation(point(corner[0], around), point(corner[1], around), point(corner[2], around)) !=
-           CGAL::LEFT_TURN;
+    const bool upright = CGAL::orientation(point(corner[0], around), point(corner[1], around),
+                                           point(corner[2], around)) == CGAL::LEFT_TURN;
+    return !upright && (kind_ == Chart_kind::band || region_.height(t) >= thin_);
   }
 
   /// The corners of folded triangles, but the source and what has its coordinates from the start.
@@ -108,7 +111,7 @@ class Unfolding {
 
   const Region_mesh& region_;
   Chart_kind kind_;
-  double limit_;
+  double thin_, limit_;
   Geodesic_field& field_;
   std::vector<char> is_fixed_;
   std::vector<std::int32_t> folded_;
@@ -116,8 +119,8 @@ class Unfolding {
 
 }  // namespace
 
-void unfold_chart(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field) {
-  Unfolding(region, kind, limit, field).run();
+void unfold_chart(const Region_mesh& region, Chart_kind kind, double thin, double limit, Geodesic_field& field) {
+  Unfolding(region, kind, thin, limit, field).run();
 }
 
 }  // namespace cgal_blend

@@ -70,7 +70,7 @@ TEST(Geodesic_polar_curve, FinerCurvesAreNearerToTheCircle) {
     int count = 0;
     for (const Vertex v : mesh.vertices()) {
       const double d = std::hypot(mesh.point(v).x(), mesh.point(v).y()) - 0.3;
-      if (d <= 0.01 || d > 0.4) continue;
+      if (d <= 0.05 || d > 0.4) continue;  // nearer, single triangles may have been unfolded
       sum += std::abs(polar(v).distance - d) / d;
       ++count;
     }
