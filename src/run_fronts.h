@@ -15,9 +15,9 @@ namespace cgal_blend {
 // A distance must fall by this share for its vertex to be visited again; of the order of the rounding errors of one step.
 inline constexpr double least_gain = 4e-16;
 
-// A vertex is visited so often at most; a few times are usual. Fronts of a curve carry its curvature along, and where that is
-// in disorder their distances could fall for ever.
-inline constexpr int most_visits = 64;
+// A vertex is visited so often at most; on irregular meshes dozens of times are usual. Fronts of a curve carry its
+// curvature along, and where that is in disorder their distances could fall for ever.
+inline constexpr int most_visits = 1000;
 
 /// Carries distances from vertex to vertex, nearest first, and again from vertices whose distance falls once more.
 /// \param step improves vertex k from the edge (i, j) that has it to its left, and says whether it did, from (i, j, k)
