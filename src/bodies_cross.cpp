@@ -3,6 +3,10 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <numeric>
 #include <vector>
 
 namespace cgal_blend {
@@ -11,27 +15,22 @@ namespace {
 
 /// Bounding boxes of the pieces that hang together by edges.
 std::vector<CGAL::Bbox_3> piece_boxes(const Blend_mesh& mesh) {
-  std::vector<CGAL::Bbox_3> boxes;
-  std::vector<bool> seen(mesh.number_of_vertices(), false);
-  std::vector<Vertex> stack;
-  for (const Vertex start : mesh.vertices()) {
-    if (seen[start.idx()] || mesh.is_isolated(start)) continue;
-    CGAL::Bbox_3 box;
-    seen[start.idx()] = true;
-    stack.assign(1, start);
-    while (!stack.empty()) {
-      const Vertex v = stack.back();
-      stack.pop_back();
-      box += mesh.point(v).bbox();
-      for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v))) {
-        if (seen[w.idx()]) continue;
-        seen[w.idx()] = true;
-        stack.push_back(w);
-      }
-    }
-    boxes.push_back(box);
+  std::vector<std::uint32_t> parent(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Edge e : mesh.edges()) {
+    const std::uint32_t a = root(mesh.vertex(e, 0).idx()), b = root(mesh.vertex(e, 1).idx());
+    parent[std::max(a, b)] = std::min(a, b);
   }
-  return boxes;
+  std::map<std::uint32_t, CGAL::Bbox_3> boxes;
+  for (const Vertex v : mesh.vertices())
+    if (!mesh.is_isolated(v)) boxes[root(v.idx())] += mesh.point(v).bbox();
+  std::vector<CGAL::Bbox_3> result;
+  for (const auto& [piece, box] : boxes) result.push_back(box);
+  return result;
 }
 
 }  // namespace

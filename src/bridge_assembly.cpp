@@ -16,7 +16,8 @@ namespace cgal_blend {
 namespace {
 
 constexpr std::size_t fewest_guarded_rows = 4;  // of facets
-constexpr double clearance = 2;                 // of rows from those at the contacts, over the height of their arcs
+constexpr double clearance = 2;                 // of rows from those at the contacts, over what these bulge
+constexpr double spacing = 0.3;                 // least one of vertices next to a rim, over their distance from it
 
 Bridge_cut begin_cut(const Blend_mesh& mesh, const std::vector<const Bridge_side*>& sides) {
   Bridge_cut cut;
@@ -41,23 +42,22 @@ void append(std::vector<Item>& to, const std::vector<Item>& more) {
 }
 
 /// The triangles of one bridge, on vertices of the mesh, to which it adds those between the contacts. Rows next to a
-/// contact have a vertex for each one of the rim, on the same ray, so that their facets lean as those of the mesh do.
+/// contact have a vertex for each one of the rim, as far as there is room, on the same ray, so that their facets lean as
+/// those of the mesh do.
 class Bridge_sewing {
  public:
   Bridge_sewing(Blend_mesh& mesh, const Bridge_grid& grid, const Rim& first, const Rim& second)
       : mesh_(mesh), grid_(grid) {
     const std::size_t rows = grid.t().size() - 1;
     const bool guarded = rows >= fewest_guarded_rows;
-    std::vector<Point_line> lines{rim_line(0, first)};
-    for (std::size_t row = 1; row < rows; ++row) {
-      if (guarded && (row == 1 || row + 1 == rows)) {
-        const std::size_t end = row == 1 ? 0 : 1;
-        lines.push_back(guard_line(end, end == 0 ? first : second, grid.t()[row]));
-      } else if (!guarded || clear_of_ends(row)) {
-        lines.push_back(inner_line(row));
-      }
-    }
-    lines.push_back(rim_line(1, second));
+    const std::array<Point_line, 2> rims{rim_line(0, first), rim_line(1, second)};
+    std::vector<Point_line> lines{rims[0]}, guards;
+    if (guarded) guards = {guard_line(0, rims[0], 1), guard_line(1, rims[1], rows - 1)};
+    if (guarded) lines.push_back(guards[0]);
+    for (std::size_t row = guarded ? 2 : 1; row + (guarded ? 1 : 0) < rows; ++row)
+      if (!guarded || clear_of_guards(row)) lines.push_back(inner_line(row));
+    if (guarded) lines.push_back(guards[1]);
+    lines.push_back(rims[1]);
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) join_rows(lines[i], lines[i + 1], true, 0, soup_);
   }
 
@@ -74,49 +74,50 @@ class Bridge_sewing {
   }
 
   /// Vertices by ascending parameter of the bridge.
-  template <class Make>
-  Point_line line(std::size_t end, const Rim& rim, const Make& make) {
+  Point_line rim_line(std::size_t end, const Rim& rim) {
     const std::vector<double>& parameters = grid_.side(end).parameters;
     Trim_curve curve;
     for (std::size_t i = 0; i < rim.vertices.size(); ++i) {
-      const double s = end == 0 ? parameters[i] : opposite_parameter(parameters[i], grid_.turn());
-      curve.vertices.push_back(add(make(rim.vertices[i], s)));
-      curve.parameters.push_back(s);
+      curve.vertices.push_back(add(rim.vertices[i]));
+      curve.parameters.push_back(end == 0 ? parameters[i] : opposite_parameter(parameters[i], grid_.turn()));
     }
     return ascending(curve);
   }
 
-  Point_line rim_line(std::size_t end, const Rim& rim) {
-    return line(end, rim, [](Vertex v, double) { return v; });
-  }
-
-  Point_line guard_line(std::size_t end, const Rim& rim, double t) {
-    return line(end, rim, [&](Vertex v, double s) {
-      return mesh_.add_vertex(to_point(grid_.point_from_rim(end, s, t, to_vec(mesh_.point(v)))));
-    });
+  /// Vertices on the rays of a rim's vertices; of those that are near each other against their way, the first.
+  Point_line guard_line(std::size_t end, const Point_line& rim, std::size_t row) {
+    Point_line result;
+    std::vector<Vec> from;  // vertices of the rim that have one
+    double way = 0;
+    for (std::size_t i = 0; i < rim.vertices.size(); ++i) {
+      const Vec place = to_vec(soup_.points[rim.vertices[i]]);
+      if (!from.empty() && (place - from.back()).norm() < spacing * way) continue;
+      const Vec p = grid_.point_from_rim(end, rim.parameters[i], grid_.t()[row], place);
+      way = (p - place).norm();
+      if (from.size() > 3 && (place - from.front()).norm() < spacing * way) break;  // round again
+      bulge_[end] = std::max(bulge_[end], (p - on_chord(row, rim.parameters[i])).norm());
+      result.vertices.push_back(add(mesh_.add_vertex(to_point(p))));
+      result.parameters.push_back(rim.parameters[i]);
+      from.push_back(place);
+    }
+    return result;
   }
 
   [[nodiscard]] Vec at(std::size_t row, std::size_t column) const {
-    const std::size_t columns = grid_.s().size();
-    return to_vec(grid_.points()[row * columns + column % columns]);
+    return to_vec(grid_.points()[row * grid_.s().size() + column]);
   }
 
-  /// Largest height of the arcs that the chords of a row stand for.
-  [[nodiscard]] double arc_height(std::size_t row) const {
-    double height = 0;
-    for (std::size_t i = 0; i < grid_.s().size(); ++i)
-      height = std::max(height, (at(row, i) - 2 * at(row, i + 1) + at(row, i + 2)).norm() / 8);
-    return height;
+  /// Point between the columns of a row.
+  [[nodiscard]] Vec on_chord(std::size_t row, double s) const {
+    const auto [low, high, part] = grid_.between_columns(s);
+    return (1 - part) * at(row, low) + part * at(row, high);
   }
 
   /// False for rows so near to the rows at the contacts that their longer chords could cut through those.
-  [[nodiscard]] bool clear_of_ends(std::size_t row) const {
-    const std::size_t last = grid_.t().size() - 1;
-    for (const std::size_t end : {std::size_t{1}, last - 1}) {
-      const double least = clearance * arc_height(end);
+  [[nodiscard]] bool clear_of_guards(std::size_t row) const {
+    for (const std::size_t end : {0, 1})
       for (std::size_t i = 0; i < grid_.s().size(); ++i)
-        if ((at(row, i) - at(end, i)).norm() < least) return false;
-    }
+        if ((at(row, i) - at(end == 0 ? 1 : grid_.t().size() - 2, i)).norm() < clearance * bulge_[end]) return false;
     return true;
   }
 
@@ -131,7 +132,8 @@ class Bridge_sewing {
   Blend_mesh& mesh_;
   const Bridge_grid& grid_;
   Triangle_soup soup_;
-  std::vector<Vertex> vertices_;  // per point of the soup
+  std::vector<Vertex> vertices_;   // per point of the soup
+  std::array<double, 2> bulge_{};  // of the rows next to the contacts, over chords between columns
 };
 
 /// Puts what is kept first and describes where the faces come from.
@@ -163,13 +165,18 @@ class Finisher {
   }
 
  private:
-  [[nodiscard]] bool is_kept(Face f) const { return f.idx() < old_faces_ && body_.cells.whole(f, mesh_); }
+  [[nodiscard]] bool is_kept(Face f) const {
+    return f.idx() < old_faces_ && (body_.whole.empty() || body_.whole[f.idx()]);
+  }
+
+  [[nodiscard]] std::uint32_t input_face(std::uint32_t face) const {
+    return body_.origins.empty() ? face : body_.origins[face];
+  }
 
   [[nodiscard]] std::uint32_t origin(Face f) const {
-    if (f.idx() < old_faces_) return body_.cells.cell(f);
+    if (f.idx() < old_faces_) return input_face(f.idx());
     const std::size_t added = f.idx() - old_faces_;
-    if (added >= trimming_.remnant_cells.size()) return no_origin;
-    return body_.cells.cell(Face(trimming_.remnant_cells[added]));  // cut as a mesh of its own
+    return added < trimming_.remnant_cells.size() ? input_face(trimming_.remnant_cells[added]) : no_origin;
   }
 
   const Bridge_body& body_;

@@ -4,6 +4,7 @@
 
 #include "bridge_grid.h"
 
+#include <cstdint>
 #include <unordered_set>
 #include <vector>
 
@@ -27,8 +28,9 @@ struct Bridge_cut {
 /// Which faces of which input the faces of the mesh at hand are.
 struct Bridge_body {
   const Blend_mesh* mesh = nullptr;
-  Cell_map cells;
-  bool check_all = false;  ///< not only what is new has to be checked
+  std::vector<std::uint32_t> origins;  ///< per face of the mesh; empty: it is the input itself
+  std::vector<bool> whole;             ///< per face of the mesh: it is all of its origin
+  bool check_all = false;              ///< not only what is new has to be checked
 };
 
 /// Sews bridges in where the mesh was cut, and checks the result.

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cgal_blend/bridge.h>
 
-#include "boolean.h"
 #include "bridge_assembly.h"
-#include "refusal.h"
+#include "bridge_union.h"
 #include "stopwatch.h"
 
 #include <algorithm>
 #include <deque>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace cgal_blend {
@@ -17,41 +14,6 @@ namespace cgal_blend {
 namespace {
 
 using Loop = std::vector<Halfedge>;
-
-/// The intersection curves as closed chains of halfedges with faces of the first body on their left, each from its
-/// vertex of least index on; none, with the place, if more than two edges meet.
-std::optional<std::vector<Loop>> loops_of(const Boolean_result& sharp, Diagnosis& diagnosis) {
-  const Blend_mesh& mesh = sharp.mesh;
-  std::unordered_map<Vertex, Halfedge> leaving;
-  std::vector<Vertex> starts;
-  for (const Edge e : sharp.curves) {
-    Halfedge h = mesh.halfedge(e);
-    if (sharp.cells.operand(mesh.face(h)) != 0) h = mesh.opposite(h);
-    starts.push_back(mesh.source(h));
-    if (sharp.cells.operand(mesh.face(h)) == 0 && sharp.cells.operand(mesh.face(mesh.opposite(h))) == 1 &&
-        leaving.emplace(mesh.source(h), h).second)
-      continue;
-    diagnosis = refusal(Status::corner, to_vec(mesh.point(mesh.source(h))));
-    return std::nullopt;
-  }
-  std::sort(starts.begin(), starts.end());
-  std::vector<Loop> loops;
-  std::unordered_set<Vertex> seen;
-  for (const Vertex start : starts) {
-    if (seen.count(start)) continue;
-    Loop loop;
-    for (Vertex v = start; seen.insert(v).second; v = mesh.target(loop.back())) {
-      const auto found = leaving.find(v);
-      if (found == leaving.end()) {
-        diagnosis = refusal(Status::open_branch, to_vec(mesh.point(v)));
-        return std::nullopt;
-      }
-      loop.push_back(found->second);
-    }
-    loops.push_back(std::move(loop));
-  }
-  return loops;
-}
 
 /// A chain of edges as a source, seen from the faces on its left; the other way round, from the other side.
 std::vector<Face_point> source_of(const Blend_mesh& mesh, const Loop& loop, bool other_side) {
@@ -73,26 +35,22 @@ std::vector<Face_point> source_of(const Blend_mesh& mesh, const Loop& loop, bool
 
 class Crossing_bridges {
  public:
-  Crossing_bridges(const Boolean_result& sharp, const std::array<Bridge_end, 2>& ends, const Bridge_options& options)
-      : sharp_(sharp),
-        ends_(ends),
-        options_(options),
-        curves_(sharp.curves.begin(), sharp.curves.end()),
-        surface_(sharp.mesh, surface_options(options), &curves_) {}
+  Crossing_bridges(const Bridge_union& sharp, const std::array<Bridge_end, 2>& ends, const Bridge_options& options)
+      : sharp_(sharp), ends_(ends), options_(options), surface_(sharp.mesh, surface_options(options), &sharp.curves) {}
 
   Bridge_outcome run(Blend_mesh& out) {
     Bridge_outcome outcome;
     const Stopwatch watch;
-    const auto loops = loops_of(sharp_, outcome.diagnosis);
-    if (!loops || !(outcome.diagnosis = make(*loops)).ok()) return outcome;
+    outcome.diagnosis = make();
+    if (!outcome.ok()) return outcome;
     const double parametrize = watch.milliseconds();
     std::vector<const Bridge_side*> sides;
     std::vector<const Bridge_grid*> grids;
     for (const Bridge_side& side : sides_) sides.push_back(&side);
     for (const Bridge_grid& grid : grids_) grids.push_back(&grid);
-    const Bridge_cut cut = cut_strips(sharp_.mesh, sides, curves_);
+    const Bridge_cut cut = cut_strips(sharp_.mesh, sides, sharp_.curves);
     if (cut.diagnosis.ok())
-      outcome = sew({&sharp_.mesh, sharp_.cells, true}, cut, grids, out);
+      outcome = sew({&sharp_.mesh, sharp_.origins, sharp_.whole, true}, cut, grids, out);
     else
       outcome.diagnosis = cut.diagnosis;
     for (const Bridge_grid& grid : grids_) outcome.bridges.push_back(report(grid, outcome.diagnosis));
@@ -108,9 +66,9 @@ class Crossing_bridges {
     return result;
   }
 
-  Diagnosis make(const std::vector<Loop>& loops) {
+  Diagnosis make() {
     const Bridge_shape shape{{ends_[0].lambda, ends_[1].lambda}, options_.mu, options_.order};
-    for (const Loop& loop : loops) {
+    for (const Loop& loop : sharp_.loops) {
       for (std::size_t k : {0, 1}) {
         sides_.push_back(make_side(surface_, source_of(sharp_.mesh, loop, k == 1), ends_[k], options_));
         Diagnosis diagnosis = sides_.back().diagnosis;
@@ -136,14 +94,28 @@ class Crossing_bridges {
     return result;
   }
 
-  const Boolean_result& sharp_;
+  const Bridge_union& sharp_;
   const std::array<Bridge_end, 2>& ends_;
   const Bridge_options& options_;
-  std::unordered_set<Edge> curves_;
   Base_surface surface_;
   std::deque<Bridge_side> sides_;  // their addresses stay
   std::deque<Bridge_grid> grids_;
 };
+
+Bridge_outcome bridge_crossing(const Blend_mesh& a, const Blend_mesh& b, const std::array<Bridge_end, 2>& ends,
+                               Blend_mesh& out, const Bridge_options& options) {
+  Bridge_outcome outcome;
+  const auto goes_on = [&](double done) {
+    if (outcome.ok() && options.progress && !options.progress(done)) outcome.diagnosis.status = Status::cancelled;
+    return outcome.ok();
+  };
+  outcome.diagnosis = check_options(ends, options);
+  if (!goes_on(0)) return outcome;
+  const Bridge_union sharp = unite(a, b);
+  outcome.diagnosis = sharp.diagnosis;
+  if (!goes_on(0.5)) return outcome;
+  return Crossing_bridges(sharp, ends, options).run(out);
+}
 
 }  // namespace
 
@@ -151,16 +123,8 @@ namespace unchecked {
 
 Bridge_outcome bridge_intersection(const Blend_mesh& a, const Blend_mesh& b, const std::array<Bridge_end, 2>& ends,
                                    Blend_mesh& out, const Bridge_options& options) {
-  Bridge_outcome outcome;
-  outcome.diagnosis = check_options(ends, options);
-  if (!outcome.ok()) return outcome;
-  const Boolean_result sharp = compute_boolean(a, b, Boolean_operation::union_);
-  outcome.diagnosis = sharp.diagnosis;
-  if (outcome.ok() && sharp.curves.empty())
-    outcome.diagnosis.status = sharp.contact ? Status::operands_touch : Status::operands_disjoint;
-  if (!outcome.ok()) return outcome;
   Blend_mesh result;  // `out` may be an operand
-  outcome = Crossing_bridges(sharp, ends, options).run(result);
+  Bridge_outcome outcome = bridge_crossing(a, b, ends, result, options);
   for (Bridge_report& report : outcome.bridges) report.lambda = {ends[0].lambda, ends[1].lambda};
   out = std::move(result);
   return outcome;

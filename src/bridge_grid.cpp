@@ -33,13 +33,17 @@ Bridge_column Bridge_grid::column(double s) const {
   return {{sides_[0]->ray(s), sides_[1]->ray(opposite_parameter(s, turn_))}};
 }
 
-Vec Bridge_grid::point_from_rim(std::size_t end, double s, double t, const Vec& place) const {
-  const double f = hartmann(t, shape_.mu, shape_.order);
-  const std::array<double, 2> x{1 - t * (1 - shape_.lambda[0]), 1 - (1 - t) * (1 - shape_.lambda[1])};
+Bridge_grid::Between Bridge_grid::between_columns(double s) const {
   const auto above = static_cast<std::size_t>(std::upper_bound(s_.begin(), s_.end(), s) - s_.begin());
   const std::size_t n = s_.size(), low = (above + n - 1) % n, high = above % n;
   const double from = s_[low] > s ? s_[low] - 1 : s_[low], to = s_[high] <= s ? s_[high] + 1 : s_[high];
-  const double part = (s - from) / (to - from);
+  return {low, high, (s - from) / (to - from)};
+}
+
+Vec Bridge_grid::point_from_rim(std::size_t end, double s, double t, const Vec& place) const {
+  const double f = hartmann(t, shape_.mu, shape_.order);
+  const std::array<double, 2> x{1 - t * (1 - shape_.lambda[0]), 1 - (1 - t) * (1 - shape_.lambda[1])};
+  const auto [low, high, part] = between_columns(s);
   const Vec other =
       (1 - part) * columns_[low].ray[1 - end].point(x[1 - end]) + part * columns_[high].ray[1 - end].point(x[1 - end]);
   const double own = end == 0 ? s : opposite_parameter(s, turn_);

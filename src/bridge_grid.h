@@ -21,6 +21,12 @@ class Bridge_grid {
   void evaluate(const Bridge_shape& shape);
 
   [[nodiscard]] Bridge_column column(double s) const;
+  /// The columns next to a parameter, and how far it is from the one to the other, in [0, 1].
+  struct Between {
+    std::size_t low, high;
+    double part;
+  };
+  [[nodiscard]] Between between_columns(double s) const;
   /// Point of the surface on the ray of an end that starts in a vertex of its rim; of the other end's base surface it
   /// takes what is halfway between columns, which counts for little near the rim.
   /// \param s parameter of the bridge; `place` of the vertex

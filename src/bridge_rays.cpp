@@ -70,8 +70,7 @@ Vec Ray_lifter::lifted(const Surface_point& at) const {
 std::optional<Vec> Ray_lifter::lifted(const Polar_point& at) const {
   if (const auto place = polar_.locate(at))
     return lifted({place->face, Eigen::Vector3d(place->weights[0], place->weights[1], place->weights[2])});
-  if (!holes_) return std::nullopt;
-  return to_vec(polar_.point(at));
+  return std::nullopt;
 }
 
 Bridge_ray Ray_lifter::ray(const Polar_point& contact, const Vec& place) const {

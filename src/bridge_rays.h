@@ -37,9 +37,8 @@ class Bridge_ray {
 class Ray_lifter {
  public:
   /// \param surface, polar of the same mesh; live as long as the lifter
-  /// \param holes the region has filled holes
-  Ray_lifter(const Base_surface& surface, const Geodesic_polar& polar, double facet, bool holes)
-      : surface_(surface), polar_(polar), facet_(facet), holes_(holes) {}
+  Ray_lifter(const Base_surface& surface, const Geodesic_polar& polar, double facet)
+      : surface_(surface), polar_(polar), facet_(facet) {}
 
   /// The ray from the source to a contact point; knots lie about a facet apart.
   /// \param place of the contact, on the facets
@@ -47,14 +46,13 @@ class Ray_lifter {
 
   /// Point of the curved triangle over a point of a face: quadratic, with the curvature that the normals have.
   [[nodiscard]] Vec lifted(const Surface_point& at) const;
-  /// The same for coordinates; in a filled hole its own point; none where there are no coordinates.
+  /// The same for coordinates; none where the mesh has no point with them.
   [[nodiscard]] std::optional<Vec> lifted(const Polar_point& at) const;
 
  private:
   const Base_surface& surface_;
   const Geodesic_polar& polar_;
   double facet_;  // mean edge length within the region
-  bool holes_;
 };
 
 }  // namespace cgal_blend

@@ -20,7 +20,8 @@ constexpr double snap_of_size = 1e-4;      // stations so near to a vertex or an
 constexpr double reach = 1 + 1e-4;         // of the coordinates, over the largest distance on the curve
 constexpr std::size_t fewest_points = 32;  // of a contact curve
 constexpr int most_halvings = 6;
-constexpr int most_repairs = 8;  // of a polyline that does not arrive, by more points
+constexpr std::size_t most_facets = 4096;  // along and around
+constexpr int most_repairs = 8;            // of a polyline that does not arrive, by more points
 
 Polar_curve curve_of(const Bridge_end& end) {
   return end.curve || !(end.radius > 0) ? end.curve : circle_curve(end.radius);
@@ -132,7 +133,6 @@ bool is_covered(const Bridge_side& side) {
 /// What follows once the curve is known to be sound and there are coordinates.
 void finish_side(Bridge_side& side, const Bridge_options& options) {
   side.diagnosis = side.polar->diagnosis();
-  side.holes = options.fill_holes;
   if (!side.diagnosis.ok()) return;
   if (!is_covered(side)) {
     side.diagnosis.status = Status::radius_exceeds_cut_locus;
@@ -156,8 +156,10 @@ Bridge_side begin_side(const Base_surface& surface, const Bridge_end& end, bool 
 }  // namespace
 
 Vec Bridge_side::contact(double s) const {
-  const auto at = polar->locate(curve(s));
-  return to_vec(at ? position(surface->mesh(), *at) : polar->point(curve(s)));
+  const Polar_point end = curve(s);
+  for (const double part : {1.0, 1 - 1e-6, 1 - 1e-3, 0.9})  // coordinates may have a gap at their border
+    if (const auto at = polar->locate({part * end.distance, end.angle})) return to_vec(position(surface->mesh(), *at));
+  return to_vec(polar->point({0, end.angle}));
 }
 
 Vec Bridge_side::near_contact(double s, double x, const Vec& place) const {
@@ -193,9 +195,9 @@ Bridge_side make_side(const Base_surface& surface, const Bridge_end& end, const 
     return side;
   }
   const Surface_point at = surface.locate(nearest.face, to_vec(end.spot));
-  side.polar = std::make_unique<Geodesic_polar>(
-      surface.mesh(), Face_point{at.face, {at.bary[0], at.bary[1], at.bary[2]}}, reach * side.size,
-      Geodesic_polar_options{end.zero_direction, options.fill_holes});
+  side.polar =
+      std::make_unique<Geodesic_polar>(surface.mesh(), Face_point{at.face, {at.bary[0], at.bary[1], at.bary[2]}},
+                                       reach * side.size, Geodesic_polar_options{end.zero_direction});
   finish_side(side, options);
   return side;
 }
@@ -204,8 +206,9 @@ Bridge_side make_side(const Base_surface& surface, const std::vector<Face_point>
                       const Bridge_options& options) {
   Bridge_side side = begin_side(surface, end, false);
   if (!side.diagnosis.ok()) return side;
-  side.polar = std::make_unique<Geodesic_polar>(surface.mesh(), source, reach * side.size,
-                                                Geodesic_polar_options{{}, options.fill_holes});
+  // Along a curve and away from it to the left is the other way round than outward and counter-clockwise round a point.
+  side.curve = [along = side.curve](double s) { return along(1 - s); };
+  side.polar = std::make_unique<Geodesic_polar>(surface.mesh(), source, reach * side.size);
   finish_side(side, options);
   return side;
 }
@@ -214,6 +217,7 @@ Diagnosis check_options(const std::array<Bridge_end, 2>& ends, const Bridge_opti
   const auto bad = [](const std::string& what) { return Diagnosis{Status::invalid_parameter, what, {}, {}}; };
   for (const Bridge_end& end : ends) {
     if (!(end.lambda >= 0 && end.lambda < 1)) return bad("lambda must lie in [0, 1)");
+    if (!std::isfinite(end.spot.x() + end.spot.y() + end.spot.z())) return bad("the spot must be finite");
     if (!end.curve && !(end.radius > 0 && std::isfinite(end.radius))) return bad("the radius must be greater than 0");
     if (end.zero_direction && !(end.zero_direction->squared_length() > 0))
       return bad("the zero direction must not be 0");
@@ -223,8 +227,9 @@ Diagnosis check_options(const std::array<Bridge_end, 2>& ends, const Bridge_opti
   if (!std::isfinite(options.twist_deg)) return bad("the twist must be finite");
   if (!(options.chord_tolerance >= 1e-5 && options.chord_tolerance <= 0.1))
     return bad("the chord tolerance must lie between 1e-5 and 0.1");
-  if (options.segments != 0 && options.segments < 3) return bad("there must be at least 3 segments");
-  if (options.rows != 0 && options.rows < 2) return bad("there must be at least 2 rows");
+  if (options.segments != 0 && (options.segments < 3 || options.segments > most_facets))
+    return bad("there must be 3 to 4096 segments");
+  if (options.rows != 0 && (options.rows < 2 || options.rows > most_facets)) return bad("there must be 2 to 4096 rows");
   if (!(options.smooth_angle > 0 && options.smooth_angle < 180))
     return bad("the smooth angle must lie between 0 and 180 degrees");
   return {};

@@ -22,10 +22,9 @@ struct Bridge_side {
   double size = 0;   ///< largest distance of the contact curve from the source, length units
   double facet = 0;  ///< mean edge length along the contact curve
   Rim rim;
-  bool holes = false;              ///< the region has filled holes
   std::vector<double> parameters;  ///< of the curve, per station of the rim, in [0, 1)
 
-  [[nodiscard]] Ray_lifter lifter() const { return {*surface, *polar, facet, holes}; }
+  [[nodiscard]] Ray_lifter lifter() const { return {*surface, *polar, facet}; }
 
   [[nodiscard]] Vec contact(double s) const;
   [[nodiscard]] Bridge_ray ray(double s) const { return lifter().ray(curve(s), contact(s)); }

@@ -4,8 +4,11 @@
 #include "front_step.h"
 #include "run_fronts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
+#include <utility>
 
 namespace cgal_blend {
 
@@ -24,6 +27,12 @@ Arrival straight_on(const Edge_view& view, double at_i, double at_j, double boun
   if (left < 0 || right < 0) return around_end(view, at_i, at_j, bound);
   const double distance = at_i + slope * along + steep * across;
   return {distance<bound, distance, left + right> 0 ? left / (left + right) : 0.5};
+}
+
+/// Distance by a straight front, which may start at an end only.
+double straight_distance(const Edge_view& view, double at_i, double at_j) {
+  const Arrival arrival = straight_on(view, at_i, at_j, Geodesic_field::infinite);
+  return arrival.distance;
 }
 
 /// A front that contracts to a point on the left of the edge.
@@ -64,14 +73,22 @@ class Curve_front {
   [[nodiscard]] Arrival arrive(const Edge_view& view, std::int32_t i, std::int32_t j, double bound) const {
     const double at_i = field_.at[i].distance, at_j = field_.at[j].distance;
     if (!std::isfinite(at_i + at_j)) return around_end(view, at_i, at_j, bound);
+    const double e = view.edge.norm(), least = std::min(at_i, at_j);
     const double mean = 0.5 * (curvature_[i] + curvature_[j]);
-    if (std::abs(mean) * (view.edge.norm() + std::min(at_i, at_j)) < straight)
-      return straight_on(view, at_i, at_j, bound);
-    const double radius = 1 / mean;
-    if (radius < 0) {
-      if (at_i + radius >= 0 || at_j + radius >= 0) return around_end(view, at_i, at_j, bound);
-      return towards_point(view, -radius - at_i, -radius - at_j, at_i, at_j, bound);
-    }
+    if (std::abs(mean) * (e + least) < straight) return straight_on(view, at_i, at_j, bound);
+    // The curve's edges are straight, and the circle through their ends lies off them: there only its rays count.
+    const bool on_curve = at_i == 0 && at_j == 0;
+    Arrival arrival = curved(view, 1 / mean, at_i, at_j, on_curve ? Geodesic_field::infinite : bound);
+    const bool inside = arrival.share > 0 && arrival.share < 1;
+    if (inside && (on_curve || arrival.distance < least)) arrival.distance = straight_distance(view, at_i, at_j);
+    arrival.improves = arrival.improves && arrival.distance < bound;
+    return arrival;
+  }
+
+  /// \param radius of the circle that the front comes from, negative if it contracts
+  static Arrival curved(const Edge_view& view, double radius, double at_i, double at_j, double bound) {
+    if (radius < 0 && (at_i + radius >= 0 || at_j + radius >= 0)) return around_end(view, at_i, at_j, bound);
+    if (radius < 0) return towards_point(view, -radius - at_i, -radius - at_j, at_i, at_j, bound);
     Arrival arrival = around_point(view, at_i + radius, at_j + radius, bound + radius);
     arrival.distance -= radius;
     return arrival;
@@ -117,6 +134,60 @@ std::vector<double> curvatures(const Region_mesh& region, const std::vector<std:
   return curvature;
 }
 
+/// The edges of a curve by the faces on their left, which are flat: what is in such a face sees them straight.
+class Faces_of_curve {
+ public:
+  Faces_of_curve(const Region_mesh& region, const std::vector<std::int32_t>& curve, Geodesic_field& field,
+                 std::vector<double>& curvature)
+      : region_(region), field_(field), curvature_(curvature) {
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const std::int32_t from = curve[i], to = curve[(i + 1) % curve.size()];
+      edges_[region.face(region.edge(from, to).first)].push_back({from, to});
+    }
+    edges_.erase(Blend_mesh::null_face());
+  }
+
+  /// Gives all vertices in those faces the distance from the nearest point on them, if they are to the left of it.
+  void seed() {
+    for (std::int32_t t = 0; t < static_cast<std::int32_t>(region_.triangles().size()); ++t) {
+      const auto found = edges_.find(region_.face(t));
+      if (found == edges_.end()) continue;
+      const auto c = region_.corners(t);
+      const Vec normal = (c[1] - c[0]).cross(c[2] - c[0]);
+      for (const std::int32_t v : region_.triangles()[t].corner) seed(v, found->second, normal);
+    }
+  }
+
+ private:
+  using Ends = std::pair<std::int32_t, std::int32_t>;
+
+  void seed(std::int32_t v, const std::vector<Ends>& edges, const Vec& normal) {
+    if (field_.at[v].distance == 0) return;
+    const Vec& point = region_.points()[v];
+    double nearest = field_.at[v].distance, share = 0;
+    const Ends* of = nullptr;
+    for (const Ends& ends : edges) {
+      const Vec& origin = region_.points()[ends.first];
+      const Vec edge = region_.points()[ends.second] - origin;
+      const double part = std::clamp((point - origin).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+      const double distance = (point - origin - part * edge).norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      share = part;
+      of = edge.cross(point - origin).dot(normal) > 0 ? &ends : nullptr;
+    }
+    if (!of) return;
+    field_.at[v] = {nearest, between(field_.at[of->first].angle, field_.at[of->second].angle, share)};
+    curvature_[v] = (1 - share) * curvature_[of->first] + share * curvature_[of->second];
+    field_.seeds.push_back(v);
+  }
+
+  const Region_mesh& region_;
+  Geodesic_field& field_;
+  std::vector<double>& curvature_;
+  std::unordered_map<Face, std::vector<Ends>> edges_;
+};
+
 }  // namespace
 
 Geodesic_field curve_field(const Region_mesh& region, const std::vector<std::int32_t>& curve, double stretch,
@@ -132,6 +203,8 @@ Geodesic_field curve_field(const Region_mesh& region, const std::vector<std::int
     field.at[curve[i]] = {0, 2 * pi * start[i] / start[n]};
     curvature[curve[i]] = of_curve[i];
   }
+  field.seeds = curve;
+  Faces_of_curve(region, curve, field, curvature).seed();
   run_fronts(region, limit, field, Curve_front(region, field, curvature));
   return field;
 }

@@ -102,6 +102,7 @@ Geodesic_field one_ring(const Region_mesh& region, std::int32_t source, const Ve
   const double zero = zero_direction.isZero(0) ? 0 : angle_of(region, source, star, zero_direction);
   for (std::size_t i = 0; i < star.size(); ++i) field.at[field.fixed[i]].angle = wrapped(scale * (angles[i] - zero));
   field.at[source].distance = 0;
+  field.seeds = field.fixed;
   return field;
 }
 

@@ -21,7 +21,8 @@ struct Geodesic_field {
     double angle = 0;  ///< radians in [0, 2 pi)
   };
   std::vector<Value> at;            ///< by vertex
-  std::vector<std::int32_t> fixed;  ///< vertices with values to start from
+  std::vector<std::int32_t> seeds;  ///< vertices with values to start from
+  std::vector<std::int32_t> fixed;  ///< those of them that keep their values
 };
 
 /// Brings an angle into [0, 2 pi).

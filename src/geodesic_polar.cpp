@@ -20,6 +20,15 @@ namespace {
 // Rounding of a point at the very radius.
 constexpr double beyond_radius = 1e-9;
 constexpr int most_trials = 8;
+// Bands that are thinner than this share of their length are not looked for: they take as many triangles as it is long.
+constexpr double thinnest_band = 1e-3;
+
+double length_of(const Blend_mesh& mesh, const std::vector<Face_point>& curve) {
+  double sum = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    sum += std::sqrt(CGAL::squared_distance(position(mesh, curve[i]), position(mesh, curve[(i + 1) % curve.size()])));
+  return sum;
+}
 
 bool is_place(const Blend_mesh& mesh, const Face_point& at) {
   if (!at.face.is_valid() || !mesh.is_valid(at.face)) return false;
@@ -92,7 +101,7 @@ void Geodesic_polar::Impl::lay_out(Chart_kind kind) {
   if (!chart->is_one_to_one()) {
     const double fold = chart->bound().fold;
     const Geodesic_field straight = *field;
-    unfold_chart(region, kind, limit, *field);
+    unfold_chart(region, kind, thin_height(kind, radius), limit, *field);
     chart.emplace(region, *field, kind, radius, limit);
     if (chart->bound().fold <= fold) {
       *field = straight;
@@ -118,8 +127,8 @@ namespace {
 
 /// The largest of ever smaller radii with which the coordinates work; 0: none was found.
 template <class Safe_radius>
-double verified_radius(double radius, const Safe_radius& safe_radius) {
-  for (int trial = 0; trial < most_trials && radius > 0; ++trial) {
+double verified_radius(double radius, double least, const Safe_radius& safe_radius) {
+  for (int trial = 0; trial < most_trials && radius > least; ++trial) {
     const double found = safe_radius(radius);
     if (found >= radius) return radius;
     radius = found;
@@ -128,11 +137,12 @@ double verified_radius(double radius, const Safe_radius& safe_radius) {
 }
 
 /// Builds coordinates, and if they do not reach so far, tells how far they would.
+/// \param least radius to be tried
 template <class Impl, class Source>
-void build_or_bound(Impl& impl, const Source& source, const Geodesic_polar_options& options) {
+void build_or_bound(Impl& impl, const Source& source, const Geodesic_polar_options& options, double least) {
   impl.build(source, options);
   if (impl.diagnosis.ok()) return;
-  impl.safe_radius = verified_radius(impl.safe_radius, [&](double smaller) {
+  impl.safe_radius = verified_radius(impl.safe_radius, least, [&](double smaller) {
     Impl trial(impl.region.mesh(), smaller);
     trial.build(source, options);
     return trial.safe_radius;
@@ -147,7 +157,7 @@ Geodesic_polar::Geodesic_polar(const Blend_mesh& mesh, const Face_point& source,
   const auto impl = std::make_shared<Impl>(mesh, radius);
   impl_ = impl;
   if (radius > 0 && std::isfinite(radius) && is_place(mesh, source))
-    build_or_bound(*impl, source, options);
+    build_or_bound(*impl, source, options, 0);
   else
     impl->diagnosis.status = Status::invalid_parameter;
 }
@@ -160,7 +170,7 @@ Geodesic_polar::Geodesic_polar(const Blend_mesh& mesh, const std::vector<Face_po
                      std::all_of(source.begin(), source.end(), [&](const auto& at) { return is_place(mesh, at); });
   const auto curve = sound ? complete_curve(mesh, source) : std::nullopt;
   if (curve)
-    build_or_bound(*impl, *curve, options);
+    build_or_bound(*impl, *curve, options, thinnest_band * length_of(mesh, source));
   else
     impl->diagnosis.status = Status::invalid_parameter;
 }

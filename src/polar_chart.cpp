@@ -20,6 +20,11 @@ double distance_of(const Kernel::Point_2& p, const Kernel::Point_2& q) {
 
 }  // namespace
 
+double thin_height(Chart_kind kind, double radius) {
+  constexpr double in_disk = 1e-5, in_band = 5e-4;
+  return radius * (kind == Chart_kind::disk ? in_disk : in_band);
+}
+
 Polar_chart::Polar_chart(const Region_mesh& region, const Geodesic_field& field, Chart_kind kind, double radius,
                          double limit)
     : region_(region), field_(field), kind_(kind), radius_(radius), limit_(limit) {
@@ -73,7 +78,7 @@ bool Polar_chart::is_upright(std::int32_t triangle) const {
          CGAL::orientation(c, a, o) == CGAL::RIGHT_TURN;
 }
 
-/// Upright triangles cover each point as often as their rim winds around it. So if no other than those of the source
+/// Upright triangles cover each point as often as their rim winds around it, turned ones take away as often. So if no other than those of the source
 /// cover the source, all is covered once that is nearer than the rim, whatever the region's topology.
 void Polar_chart::find_folds() {
   bound_ = {infinite, infinite, -1, -1};
@@ -84,7 +89,7 @@ void Polar_chart::find_folds() {
   for (std::int32_t t = 0; t < count; ++t) {
     if (!is_reached(t) || (!on_left.empty() && !on_left[t])) continue;
     used_[t] = 1;
-    if (is_upright(t)) continue;
+    if (is_upright(t) || region_.height(t) < thin_height(kind_, radius_)) continue;
     used_[t] = 0;
     for (const std::int32_t v : region_.triangles()[t].corner) {
       if (field_.at[v].distance >= bound_.fold) continue;
@@ -97,7 +102,6 @@ void Polar_chart::find_folds() {
 }
 
 void Polar_chart::find_rim() {
-  const double fold = bound_.fold;
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(used_.size()); ++t) {
     if (!used_[t]) continue;
     const auto& [corner, beyond] = region_.triangles()[t];
@@ -106,7 +110,6 @@ void Polar_chart::find_rim() {
       const std::int32_t p = corner[(slot + 1) % 3], q = corner[(slot + 2) % 3];
       if (beyond[slot] == Region_mesh::seam) continue;  // the source
       const bool at_border = beyond[slot] == Region_mesh::border;
-      if (!at_border && fold == infinite) continue;  // beyond the limit
       const double distance =
           kind_ == Chart_kind::disk ? distance_of(points_[p], points_[q]) : std::min(points_[p].y(), points_[q].y());
       double& bound = at_border ? bound_.border : bound_.fold;
@@ -179,6 +182,7 @@ std::optional<Region_mesh::Place> Polar_chart::locate(const Polar_point& at) con
                         CGAL::orientation(d, a, p) != CGAL::RIGHT_TURN;
     if (!inside && !is_band) continue;
     const double whole = CGAL::area(a, b, d);
+    if (!(whole > 0)) continue;
     std::array<double, 3> w{CGAL::area(b, d, p) / whole, CGAL::area(d, a, p) / whole, CGAL::area(a, b, p) / whole};
     const double lowest = std::min({w[0], w[1], w[2]});
     if (!inside && lowest < least) continue;

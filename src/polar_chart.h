@@ -18,6 +18,10 @@ enum class Chart_kind {
   band   ///< along a curve: vertices at (a, d), periodic in a, so that the chart along a straight line is exact
 };
 
+/// Height of triangles that may be turned over: coordinates are not certain by more than this there. Along a curve such
+/// triangles are the rule, where it runs near vertices and edges.
+[[nodiscard]] double thin_height(Chart_kind kind, double radius);
+
 /// A region laid out by its polar coordinates; its triangles are straight in the plane of the chart.
 class Polar_chart {
  public:

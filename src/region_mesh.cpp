@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "region_mesh.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace cgal_blend {
@@ -84,6 +86,13 @@ std::array<Vec, 3> Region_mesh::corners(std::int32_t triangle) const {
   return {points_[corner[0]], points_[corner[1]], points_[corner[2]]};
 }
 
+double Region_mesh::height(std::int32_t triangle) const {
+  const auto c = corners(triangle);
+  const Vec p = c[1] - c[0], q = c[2] - c[0];
+  const double longest = std::max({p.norm(), q.norm(), (q - p).norm()});
+  return longest > 0 ? p.cross(q).norm() / longest : 0;
+}
+
 std::vector<std::int32_t> Region_mesh::star(std::int32_t vertex) const {
   const std::int32_t first = triangle_at_[vertex];
   std::int32_t t = first;
@@ -135,43 +144,80 @@ void Region_mesh::cut(std::int32_t triangle, int slot) {
     if (triangles_[other].beyond[i] == triangle) triangles_[other].beyond[i] = seam;
 }
 
-std::int32_t Region_mesh::leaf_of(std::int32_t triangle) {
+/// The division that a whole triangle is, ready to get parts.
+std::int32_t Region_mesh::root_of(std::int32_t triangle) {
   if (leaf_[triangle] < 0) {
     leaf_[triangle] = static_cast<std::int32_t>(divisions_.size());
-    divisions_.push_back({-1, {triangle, -1}, 0, 0});
+    divisions_.emplace_back();
   }
+  divisions_[leaf_[triangle]].triangle = -1;
   return leaf_[triangle];
 }
 
+void Region_mesh::record(std::int32_t node, int slot, std::int32_t triangle) {
+  const auto part = static_cast<std::int32_t>(divisions_.size());
+  divisions_.emplace_back();
+  divisions_[part].parent = node;
+  divisions_[part].triangle = triangle;
+  divisions_[node].part[slot] = part;
+  leaf_[triangle] = part;
+}
+
+void Region_mesh::replace_beyond(std::int32_t triangle, std::int32_t old, std::int32_t by) {
+  if (triangle < 0) return;
+  for (std::int32_t& beyond : triangles_[triangle].beyond)
+    if (beyond == old) beyond = by;
+}
+
 /// Of a triangle (a, b, c) with a in the slot and a new vertex m between b and c, the old one becomes (a, b, m), the
-/// new one (a, m, c); both corners and weights keep their slots.
+/// new one (a, m, c); corners keep their slots.
 std::int32_t Region_mesh::halve(std::int32_t triangle, int slot, std::int32_t vertex, double share) {
   const int b = (slot + 1) % 3, c = (slot + 2) % 3;
   const auto half = static_cast<std::int32_t>(triangles_.size());
-  triangles_.push_back(triangles_[triangle]);
-  faces_.push_back(faces_[triangle]);
+  triangles_.push_back(Triangle(triangles_[triangle]));
+  faces_.push_back(Face(faces_[triangle]));
+  leaf_.push_back(-1);
   Triangle &first = triangles_[triangle], &second = triangles_[half];
-  const std::int32_t beyond = first.beyond[b];
+  replace_beyond(first.beyond[b], triangle, half);
   first.corner[c] = vertex;
   second.corner[b] = vertex;
   first.beyond[b] = half;
   second.beyond[c] = triangle;
-  if (beyond >= 0)
-    for (std::int32_t& back : triangles_[beyond].beyond)
-      if (back == triangle) back = half;
   if (triangle_at_[second.corner[c]] == triangle) triangle_at_[second.corner[c]] = half;
   triangle_at_[vertex] = half;
 
-  const std::int32_t node = leaf_of(triangle);
-  const auto part = static_cast<std::int32_t>(divisions_.size());
-  divisions_.push_back({node, {triangle, -1}, 0, 0});
-  divisions_.push_back({node, {half, -1}, 0, 0});
-  divisions_[node].part = {part, part + 1};
-  divisions_[node].slot = slot;
-  divisions_[node].share = share;
-  leaf_[triangle] = part;
-  leaf_.push_back(part + 1);
+  const std::int32_t node = root_of(triangle);
+  divisions_[node].at[b] = 1 - share;
+  divisions_[node].at[c] = share;
+  record(node, c, triangle);
+  record(node, b, half);
   return half;
+}
+
+/// Part i has the new vertex in place of corner i, and part j beyond its edge opposite of corner j.
+std::int32_t Region_mesh::divide(std::int32_t triangle, const std::array<double, 3>& weights, const Vec& at) {
+  const std::int32_t vertex = add_point(at);
+  const Triangle whole = triangles_[triangle];
+  const std::int32_t node = root_of(triangle);
+  divisions_[node].at = weights;
+  std::array<std::int32_t, 3> parts{triangle, 0, 0};
+  for (int i = 1; i < 3; ++i) {
+    parts[i] = static_cast<std::int32_t>(triangles_.size());
+    triangles_.push_back(whole);
+    faces_.push_back(Face(faces_[triangle]));
+    leaf_.push_back(-1);
+    replace_beyond(whole.beyond[i], triangle, parts[i]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    Triangle& part = triangles_[parts[i]];
+    part.corner[i] = vertex;
+    for (int j = 0; j < 3; ++j)
+      if (j != i) part.beyond[j] = parts[j];
+    record(node, i, parts[i]);
+  }
+  if (triangle_at_[whole.corner[0]] == triangle) triangle_at_[whole.corner[0]] = parts[1];
+  triangle_at_[vertex] = triangle;
+  return vertex;
 }
 
 std::int32_t Region_mesh::divide(std::int32_t triangle, int slot, double share, const Vec& at) {
@@ -235,40 +281,67 @@ Face_point Region_mesh::in_face(const Place& place) const {
   std::int32_t child = leaf_[place.triangle];
   for (std::int32_t node = child < 0 ? -1 : divisions_[child].parent; node >= 0; node = divisions_[node].parent) {
     const Division& division = divisions_[node];
-    const int b = (division.slot + 1) % 3, c = (division.slot + 2) % 3;
-    if (child == division.part[0]) {
-      w[b] += (1 - division.share) * w[c];
-      w[c] *= division.share;
-    } else {
-      w[c] += division.share * w[b];
-      w[b] *= 1 - division.share;
-    }
+    int slot = 0;
+    while (division.part[slot] != child) ++slot;
+    const double of_vertex = w[slot];
+    for (int i = 0; i < 3; ++i) w[i] = (i == slot ? 0 : w[i]) + of_vertex * division.at[i];
     child = node;
   }
-  return {faces_[place.triangle], w};
+  if (child < 0 || divisions_[child].piece < 0) return {faces_[place.triangle], w};
+  std::array<double, 3> whole{};
+  const Piece& piece = pieces_[divisions_[child].piece];
+  for (int corner = 0; corner < 3; ++corner)
+    for (int i = 0; i < 3; ++i) whole[i] += w[corner] * piece[corner][i];
+  return {faces_[place.triangle], whole};
+}
+
+/// The division that contains a place of a face, whose weights become those in it.
+std::int32_t Region_mesh::start_of(Place& place) const {
+  const auto pieces = pieces_of_.find(faces_[place.triangle]);
+  if (pieces == pieces_of_.end()) {
+    std::int32_t node = leaf_[place.triangle];
+    while (divisions_[node].parent >= 0) node = divisions_[node].parent;
+    return node;
+  }
+  const std::array<double, 3> at = place.weights;
+  std::int32_t best = -1;
+  double most = 0;  // of the least weight
+  for (const std::int32_t node : pieces->second) {
+    const Piece& p = pieces_[divisions_[node].piece];
+    const auto area = [](const auto& a, const auto& b, const auto& c) {
+      return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+    };
+    const double whole = area(p[0], p[1], p[2]);
+    const std::array<double, 3> w{area(at, p[1], p[2]) / whole, area(p[0], at, p[2]) / whole,
+                                  area(p[0], p[1], at) / whole};
+    const double least = std::min({w[0], w[1], w[2]});
+    if (best >= 0 && least <= most) continue;
+    best = node;
+    most = least;
+    place.weights = w;
+  }
+  for (double& w : place.weights) w = std::max(w, 0.0);
+  return best;
 }
 
 Region_mesh::Place Region_mesh::in_triangle(const Face_point& at) const {
   Place place{triangle_of_[at.face.idx()], at.weights};
   if (place.triangle < 0 || leaf_[place.triangle] < 0) return place;
-  std::int32_t node = leaf_[place.triangle];
-  while (divisions_[node].parent >= 0) node = divisions_[node].parent;
+  std::int32_t node = start_of(place);
   auto& w = place.weights;
-  while (divisions_[node].part[1] >= 0) {
+  while (divisions_[node].triangle < 0) {
     const Division& division = divisions_[node];
-    const int b = (division.slot + 1) % 3, c = (division.slot + 2) % 3;
-    const double s = division.share;
-    const bool first = w[c] * (1 - s) <= w[b] * s;
-    if (first) {
-      w[b] = std::max(0.0, w[b] - w[c] * (1 - s) / s);
-      w[c] /= s;
-    } else {
-      w[c] = std::max(0.0, w[c] - w[b] * s / (1 - s));
-      w[b] /= 1 - s;
+    int slot = -1;  // of the part that contains the place: the new vertex takes no more than there is of any corner
+    double of_vertex = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (division.part[i] < 0 || (slot >= 0 && w[i] / division.at[i] >= of_vertex)) continue;
+      of_vertex = w[i] / division.at[i];
+      slot = i;
     }
-    node = division.part[first ? 0 : 1];
+    for (int i = 0; i < 3; ++i) w[i] = i == slot ? of_vertex : std::max(0.0, w[i] - of_vertex * division.at[i]);
+    node = division.part[slot];
   }
-  place.triangle = divisions_[node].part[0];
+  place.triangle = divisions_[node].triangle;
   return place;
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,13 @@ class Region_mesh {
   /// slot + 2, and the triangles on both sides; returns the new vertex.
   std::int32_t divide(std::int32_t triangle, int slot, double share, const Vec& at);
 
+  /// Divides a triangle into three at a place inside; returns the new vertex.
+  std::int32_t divide(std::int32_t triangle, const std::array<double, 3>& weights, const Vec& at);
+
+  /// Flips edges within faces of the mesh that have been divided until they are Delaunay between edges that were cut. What
+  /// has been divided so far is not divided any more, it is in pieces.
+  void make_delaunay();
+
   /// Divides triangles from the first to be looked at on by their longest edges until no one that passes the test has an
   /// edge longer than a length (Rivara's longest-edge propagation: no angle is less than half the least one before).
   void refine(std::int32_t first, double length, const std::function<bool(const std::array<Vec, 3>&)>& belongs);
@@ -50,6 +58,8 @@ class Region_mesh {
   [[nodiscard]] const std::vector<Vec>& points() const { return points_; }
   [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
   [[nodiscard]] std::array<Vec, 3> corners(std::int32_t triangle) const;
+  /// The least height of a triangle.
+  [[nodiscard]] double height(std::int32_t triangle) const;
   /// Slot of a vertex among the corners of a triangle.
   [[nodiscard]] static int slot_of(const Triangle& triangle, std::int32_t vertex);
   /// The triangles around a vertex, counter-clockwise; of a border vertex from border to border.
@@ -83,13 +93,23 @@ class Region_mesh {
   void join(std::int32_t triangle, int slot, std::int32_t other, int other_slot);
 
  private:
-  /// A triangle that was divided: the edge opposite of a slot, at a share of the way.
+  /// A triangle, and if it was divided, by a new vertex: part i has that in place of corner i.
   struct Division {
     std::int32_t parent = -1;
-    std::array<std::int32_t, 2> part{-1, -1};  ///< divisions of the parts; of a leaf: its triangle and -1
-    int slot = 0;
-    double share = 0.5;
+    std::int32_t triangle = -1;                    ///< if it is whole
+    std::array<std::int32_t, 3> part{-1, -1, -1};  ///< divisions; -1 where the new vertex is on the edge opposite of i
+    std::array<double, 3> at{};                    ///< weights of the new vertex
+    std::int32_t piece = -1;                       ///< of a face in pieces: which one
   };
+  /// A triangle within a face: the weights of its corners there.
+  using Piece = std::array<std::array<double, 3>, 3>;
+
+  void put_into_pieces();
+  void flip(std::int32_t triangle, int slot);
+  [[nodiscard]] std::int32_t flippable(std::int32_t triangle, int slot) const;
+  [[nodiscard]] bool is_delaunay(std::int32_t triangle, int slot, std::int32_t other) const;
+  [[nodiscard]] Kernel::Point_2 in_plane(std::int32_t triangle, int slot) const;
+  [[nodiscard]] std::int32_t start_of(Place& place) const;
   struct Longest {
     int slot;
     double squared_length;
@@ -99,7 +119,9 @@ class Region_mesh {
 
   std::int32_t add_face(Face f);
   std::int32_t add_vertex(Vertex v);
-  std::int32_t leaf_of(std::int32_t triangle);
+  std::int32_t root_of(std::int32_t triangle);
+  void record(std::int32_t node, int slot, std::int32_t triangle);
+  void replace_beyond(std::int32_t triangle, std::int32_t old, std::int32_t by);
   std::int32_t halve(std::int32_t triangle, int slot, std::int32_t vertex, double share);
   [[nodiscard]] Longest longest_edge(std::int32_t triangle) const;
   void divide_longest(std::int32_t triangle);
@@ -112,7 +134,9 @@ class Region_mesh {
   std::vector<Face> faces_;
   std::vector<std::int32_t> leaf_;  // by triangle: its division; -1: a whole face
   std::vector<Division> divisions_;
-  std::vector<Halfedge> rim_;  // halfedges of faces beyond the region
+  std::vector<Piece> pieces_;
+  std::map<Face, std::vector<std::int32_t>> pieces_of_;  // of a face in pieces: their divisions
+  std::vector<Halfedge> rim_;                            // halfedges of faces beyond the region
 };
 
 template <class Visitor>

@@ -105,11 +105,7 @@ std::int32_t insert_place(Region_mesh& region, const Face_point& at) {
     const double first = w[(least + 1) % 3], last = w[(least + 2) % 3];
     return region.divide(place.triangle, least, last / (first + last), point);
   }
-  // Inside: between the corner with most weight and the foot on the edge opposite of it.
-  const double share = w[c] / (w[b] + w[c]);
-  const auto points = region.corners(place.triangle);
-  region.divide(place.triangle, most, share, (1 - share) * points[b] + share * points[c]);
-  return region.divide(place.triangle, b, w[most], point);
+  return region.divide(place.triangle, w, point);
 }
 
 }  // namespace cgal_blend

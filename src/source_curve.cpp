@@ -72,41 +72,91 @@ std::pair<double, double> crossing(const Blend_mesh& mesh, Halfedge h, const Vec
   return {share, (at - p).norm() + (q - at).norm()};
 }
 
-/// The point where a step leaves one face for a neighbouring one, and both; the shortest such way.
-struct Change {
-  Face from, to;
-  Support at;
+/// Places where a step changes from face to face, each with the face that it goes on through, and the length of it.
+struct Detour {
+  double length = 0;
+  Face start;
+  std::vector<Curve_point> changes;
 };
 
-std::optional<Change> change_of_face(const Blend_mesh& mesh, const Face_point& a, const Face_point& b) {
+using Best = std::optional<Detour>;
+
+void offer(Best& best, Detour detour) {
+  if (!best || detour.length < best->length) best = std::move(detour);
+}
+
+Support on_edge(const Blend_mesh& mesh, Halfedge h, double share) {
+  Support support;
+  if (1 - share >= least_weight) support.emplace_back(mesh.source(h), 1 - share);
+  if (share >= least_weight) support.emplace_back(mesh.target(h), share);
+  return support;
+}
+
+/// The way over an edge that the faces of both ends share.
+void cross_edge(const Blend_mesh& mesh, Face from, Face to, const Vec& p, const Vec& q, Best& best) {
+  for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(from))) {
+    if (mesh.face(mesh.opposite(h)) != to) continue;
+    const auto [share, length] = crossing(mesh, h, p, q);
+    offer(best, {length, from, {{*in_face(mesh, on_edge(mesh, h, share), to), to}}});
+  }
+}
+
+/// The way through the faces around a vertex that both faces have, counter-clockwise or clockwise, unfolded; through the
+/// vertex if that is no longer.
+void pass_vertex(const Blend_mesh& mesh, Halfedge at, Face to, const Vec& p, const Vec& q, bool counter_clockwise,
+                 Best& best) {
+  const Vec origin = to_vec(mesh.point(mesh.target(at)));
+  const auto edge_beyond = [&](Halfedge h) {
+    return counter_clockwise ? h : mesh.next(h);
+  };  // of the face of h, at its target
+  const auto far_end = [&](Halfedge h) {
+    return to_vec(mesh.point(counter_clockwise ? mesh.source(h) : mesh.target(mesh.next(h))));
+  };
+  std::vector<std::pair<Halfedge, double>> spokes;
+  Vec last = p - origin;
+  double angle = 0;
+  Halfedge h = at;  // into the vertex, of the face that the way is in
+  while (mesh.face(h) != to) {
+    const Vec spoke = far_end(h) - origin;
+    angle += angle_between(last, spoke);
+    spokes.emplace_back(edge_beyond(h), angle);
+    last = spoke;
+    h = counter_clockwise ? mesh.prev(mesh.opposite(h)) : mesh.opposite(mesh.next(h));
+    if (mesh.is_border(h)) return;
+  }
+  angle += angle_between(last, q - origin);
+  const double rp = (p - origin).norm(), rq = (q - origin).norm();
+  if (angle >= pi) return;
+  Detour detour{std::sqrt(rp * rp + rq * rq - 2 * rp * rq * std::cos(angle)), mesh.face(at), {}};
+  for (const auto& [edge, turned] : spokes) {
+    const double radius = rp * rq * std::sin(angle) / (rp * std::sin(turned) + rq * std::sin(angle - turned));
+    const Vec e = to_vec(mesh.point(mesh.target(edge))) - to_vec(mesh.point(mesh.source(edge)));
+    const double part = std::min(1.0, radius / e.norm());
+    const Face next = mesh.face(mesh.opposite(edge));
+    const Support support = on_edge(mesh, edge, counter_clockwise ? 1 - part : part);
+    detour.changes.push_back({*in_face(mesh, support, next), next});
+  }
+  offer(best, std::move(detour));
+}
+
+/// The shortest way from one point to another in a neighbouring face, over an edge or past a vertex of both.
+Best detour_between(const Blend_mesh& mesh, const Face_point& a, const Face_point& b) {
   const Vec p = to_vec(position(mesh, a)), q = to_vec(position(mesh, b));
   const std::vector<Face> from = faces_at(mesh, a), to = faces_at(mesh, b);
-  std::optional<Change> best;
-  double shortest = 0;
-  const auto offer = [&](double length, Change change) {
-    if (best && length >= shortest) return;
-    shortest = length;
-    best = std::move(change);
-  };
+  Best best;
   for (const Face f : from)
-    for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-      const Face g = mesh.face(mesh.opposite(h));
-      if (g != Blend_mesh::null_face() && std::find(to.begin(), to.end(), g) != to.end()) {
-        const auto [share, length] = crossing(mesh, h, p, q);
-        Support support;
-        if (1 - share >= least_weight) support.emplace_back(mesh.source(h), 1 - share);
-        if (share >= least_weight) support.emplace_back(mesh.target(h), share);
-        offer(length, {f, g, support});
-      }
-    }
+    for (const Face g : to) cross_edge(mesh, f, g, p, q, best);
   if (best) return best;
-  for (const Face f : from)  // faces that share a vertex only
-    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-      for (const Face g : to)
-        if (const Support support{{v, 1}}; in_face(mesh, support, g)) {
-          const Vec at = to_vec(mesh.point(v));
-          offer((at - p).norm() + (q - at).norm(), {f, g, support});
-        }
+  for (const Face f : from)
+    for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      for (const Face g : to) {
+        const Support vertex{{mesh.target(h), 1}};
+        const auto in_both = in_face(mesh, vertex, g);
+        if (!in_both) continue;
+        for (const bool counter_clockwise : {false, true}) pass_vertex(mesh, h, g, p, q, counter_clockwise, best);
+        const Vec at = to_vec(mesh.point(mesh.target(h)));
+        offer(best, {(at - p).norm() + (q - at).norm(), f, {{*in_both, g}}});
+      }
   return best;
 }
 
@@ -129,7 +179,6 @@ class Cut {
     return true;
   }
 
-  void start(std::int32_t vertex) { vertices_.push_back(vertex); }
   [[nodiscard]] const std::vector<std::int32_t>& vertices() const { return vertices_; }
 
  private:
@@ -170,6 +219,23 @@ class Cut {
   std::vector<std::int32_t> vertices_;
 };
 
+/// Divides the edges from one vertex of the curve to another, so that no triangle has all its corners on the curve.
+void divide_shortcuts(Region_mesh& region, const std::vector<std::int32_t>& chain) {
+  const std::unordered_set<std::int32_t> on_curve(chain.begin(), chain.end());
+  for (const std::int32_t v : chain)
+    for (bool found = true; found;) {
+      found = false;
+      for (const std::int32_t t : region.star(v)) {
+        const int slot = Region_mesh::slot_of(region.triangles()[t], v), last = (slot + 2) % 3;
+        const std::int32_t w = region.triangles()[t].corner[(slot + 1) % 3];
+        if (region.triangles()[t].beyond[last] < 0 || !on_curve.count(w)) continue;
+        region.divide(t, last, 0.5, 0.5 * (region.points()[v] + region.points()[w]));
+        found = true;
+        break;
+      }
+    }
+}
+
 }  // namespace
 
 std::optional<std::vector<Curve_point>> complete_curve(const Blend_mesh& mesh, const std::vector<Face_point>& points) {
@@ -182,10 +248,10 @@ std::optional<std::vector<Curve_point>> complete_curve(const Blend_mesh& mesh, c
       curve.push_back({a, *common});
       continue;
     }
-    const auto change = change_of_face(mesh, a, b);
-    if (!change) return std::nullopt;
-    curve.push_back({a, change->from});
-    curve.push_back({*in_face(mesh, change->at, change->to), change->to});
+    const Best detour = detour_between(mesh, a, b);
+    if (!detour) return std::nullopt;
+    curve.push_back({a, detour->start});
+    curve.insert(curve.end(), detour->changes.begin(), detour->changes.end());
   }
   return curve;
 }
@@ -194,17 +260,19 @@ Diagnosis cut_along(Region_mesh& region, const std::vector<Curve_point>& curve, 
   Diagnosis diagnosis;
   const Blend_mesh& mesh = region.mesh();
   Cut cut(region);
-  std::vector<std::int32_t> vertices;
-  for (const Curve_point& p : curve) vertices.push_back(insert_place(region, p.at));
-  first = vertices.front();
+  first = insert_place(region, curve.front().at);
+  std::int32_t from = first;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const std::size_t next = (i + 1) % curve.size();
+    const std::int32_t to = next == 0 ? first : insert_place(region, curve[next].at);
     const auto target = in_face(mesh, support_of(mesh, curve[next].at), curve[i].step);
     CGAL_assertion(target.has_value());
-    if (cut.connect(vertices[i], vertices[next], *target)) continue;
-    diagnosis.status = Status::curve_crosses_itself;
-    diagnosis.point = to_point(region.points()[vertices[i]]);
-    return diagnosis;
+    if (!cut.connect(from, to, *target)) {
+      diagnosis.status = Status::curve_crosses_itself;
+      diagnosis.point = to_point(region.points()[from]);
+      return diagnosis;
+    }
+    from = to;
   }
   const std::vector<std::int32_t>& chain = cut.vertices();
   std::unordered_set<std::int32_t> seen;
@@ -217,14 +285,17 @@ Diagnosis cut_along(Region_mesh& region, const std::vector<Curve_point>& curve, 
   std::vector<std::pair<std::int32_t, int>> left;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto edge = region.edge(chain[i], chain[(i + 1) % chain.size()]);
-    if (edge.first < 0) {
-      diagnosis.status = Status::region_meets_border;
+    if (edge.first < 0) {  // no face on the left, or divided by another part of the curve
+      const bool at_border = region.edge(chain[(i + 1) % chain.size()], chain[i]).first >= 0;
+      diagnosis.status = at_border ? Status::region_meets_border : Status::curve_crosses_itself;
       diagnosis.point = to_point(region.points()[chain[i]]);
       return diagnosis;
     }
     left.push_back(edge);
   }
   for (const auto& [triangle, slot] : left) region.cut(triangle, slot);
+  region.make_delaunay();
+  divide_shortcuts(region, chain);
   return diagnosis;
 }
 

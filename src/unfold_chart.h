@@ -11,7 +11,8 @@ namespace cgal_blend {
 /// mean of their neighbours: angles first, then, where that does not do, places. Behind a vertex with more than a full
 /// turn around it all geodesics have one angle, on a rough surface neighbours may overtake each other; folds that are
 /// wider than a few triangles stay.
-void unfold_chart(const Region_mesh& region, Chart_kind kind, double limit, Geodesic_field& field);
+/// \param thin height of triangles that do not matter in a disk, length units
+void unfold_chart(const Region_mesh& region, Chart_kind kind, double thin, double limit, Geodesic_field& field);
 
 }  // namespace cgal_blend
 

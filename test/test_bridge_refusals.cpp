@@ -49,6 +49,10 @@ TEST(Bridge_refusals, name_parameters_out_of_range) {
       [](Case& c) { c.ends[0].radius = -1; },
       [=](Case& c) { c.ends[0].radius = nan; },
       [](Case& c) { c.options.segments = 2; },
+      [](Case& c) { c.options.rows = 5000; },
+      [=](Case& c) {
+        c.ends[1].spot = {0, nan, 1.8};
+      },
       [](Case& c) { c.options.rows = 1; },
       [](Case& c) { c.options.chord_tolerance = 0; },
       [=](Case& c) { c.options.twist_deg = nan; },

@@ -95,12 +95,15 @@ def curve(rng, radius):
 
 
 def draw(rng, models):
-    """Arguments of a run, and the Euler characteristic of what goes in."""
+    """Arguments of a run, and the Euler characteristic of what goes in, if it says what is to come out."""
     a = rng.choice(models)
     place, normal = a.open_spot(rng, rng.choice([1, 4, 8]))
     radii = [a.diagonal * math.exp(rng.uniform(math.log(0.005), math.log(0.1))) for _ in range(2)]
     arguments = [str(a.path)]
-    if rng.random() < 0.8:  # another body, placed so that the spots face each other, more or less
+    kind = rng.random()
+    if kind < 0.15:  # another body that crosses, bridged around the intersection
+        return crossing(rng, a, place, normal, radii, models), None
+    if kind < 0.8:  # another body, placed so that the spots face each other, more or less
         b = rng.choice(models)
         there, facing = b.open_spot(rng, rng.choice([1, 4, 8]))
         scale = a.diagonal / b.diagonal * rng.uniform(0.3, 1)
@@ -122,6 +125,22 @@ def draw(rng, models):
     return arguments, total
 
 
+def crossing(rng, a, place, normal, radii, models):
+    """Arguments of a run that unites two bodies, the second one pushed in at a spot of the first."""
+    b = rng.choice(models)
+    there, facing = b.open_spot(rng, 4)
+    m = turn_onto(facing, scaled(normal, -1), rng.uniform(0, 2 * math.pi))
+    scale = a.diagonal / b.diagonal * rng.uniform(0.2, 0.6)
+    m = [[scale * x for x in row] for row in m]
+    target = tuple(p - 0.05 * a.diagonal * rng.random() * n for p, n in zip(place, normal))
+    shift = [target[i] - dot(m[i], there) for i in range(3)]
+    arguments = [str(a.path), str(b.path), "--cross"]
+    arguments += ["--transform-b", " ".join(repr(x) for i in range(3) for x in [*m[i], shift[i]])]
+    for end, radius in zip("ab", radii):
+        arguments += [f"--radius-{end}", repr(0.3 * radius), f"--lambda-{end}", repr(rng.random())]
+    return arguments
+
+
 def judge(program, arguments, before, folder, seconds):
     """Returns the outcome of a run: 'bridged', the name of a refusal, or something that begins with '!'."""
     out, report = folder / "out.off", folder / "report.json"
@@ -140,6 +159,8 @@ def judge(program, arguments, before, folder, seconds):
         return status
     if subprocess.run([program, "check", str(out), "--quiet"], capture_output=True).returncode != 0:
         return "! invalid"
+    if before is None:  # that of a union is not known beforehand
+        return "bridged"
     after = euler(*read_off(out))
     return "bridged" if after == before - 2 else f"! Euler characteristic {after}, not {before - 2}"
 

@@ -39,9 +39,8 @@ struct Bridge_options {
   bool least_twist = true;
   double chord_tolerance =
       2e-3;                  ///< of curves and bridge, as a fraction of the larger contact's radius, in [1e-5, 0.1]
-  std::size_t segments = 0;  ///< around the bridge, at least 3; 0: by the tolerance
-  std::size_t rows = 0;      ///< of facets along the bridge, at least 2; 0: by the tolerance
-  bool fill_holes = false;   ///< as in `Geodesic_polar_options`
+  std::size_t segments = 0;  ///< around the bridge, 3 to 4096; 0: by the tolerance
+  std::size_t rows = 0;      ///< of facets along the bridge, 2 to 4096; 0: by the tolerance
   double smooth_angle = 40;  ///< edges above it are sharp: normals are not averaged across, degrees in (0, 180)
   /// Called with a fraction in [0,1] from time to time; return false to cancel.
   std::function<bool(double)> progress;

@@ -32,8 +32,12 @@ struct Geodesic_polar_options {
 };
 
 /// Geodesic polar coordinates around a source on a mesh, out to a distance; angles run counter-clockwise seen from
-/// outside. The source is a point, or a closed curve on the mesh: then the coordinates are the distance from it to its left side, and
-/// the arc-length fraction along it times 2 pi.
+/// outside. The source is a point, or a closed curve on the mesh: then the coordinates are the distance from it to its left
+/// side, and the arc-length fraction along it times 2 pi. Vertices have their coordinates; triangles lie straight between
+/// them, around a point in the plane of (d cos a, d sin a), along a curve over (a, d). Long edges near the source are
+/// divided for it. Planes are exact, developable surfaces too where geodesics run straight; elsewhere distances converge with
+/// the first order of the edges. Where single triangles would be turned over, vertices are moved to the mean of
+/// their neighbours.
 /// Source: Shin et al., Parametric blending of triangular meshes, Symmetry 10 (2018), section 3.1; Melvaer and Reimers,
 /// Geodesic polar coordinates on polygonal meshes (2012).
 class Geodesic_polar {
@@ -42,17 +46,18 @@ class Geodesic_polar {
   /// \param radius length units, > 0
   Geodesic_polar(const Blend_mesh& mesh, const Face_point& source, double radius,
                  const Geodesic_polar_options& options = {});
-  /// \param source a closed curve; each step within one face or between faces that share an edge or a vertex
+  /// \param source a closed curve that does not meet itself, s = 0 at its first point; each step within one face or between
+  /// faces that share an edge or a vertex. It may run along edges and have steps of almost no length.
   Geodesic_polar(const Blend_mesh& mesh, const std::vector<Face_point>& source, double radius,
                  const Geodesic_polar_options& options = {});
 
-  /// `ok`, `radius_exceeds_cut_locus` (with the largest safe radius), `region_meets_border`, `invalid_parameter`; if not ok
-  /// only the next four work.
+  /// `ok`, `radius_exceeds_cut_locus` or `region_meets_border` (with a radius that works, if one was found),
+  /// `curve_crosses_itself`, `invalid_parameter`; if not ok only the next five work.
   [[nodiscard]] const Diagnosis& diagnosis() const;
   [[nodiscard]] bool covers(Vertex v) const;
   /// Coordinates of a vertex that is covered.
   [[nodiscard]] Polar_point operator()(Vertex v) const;
-  /// Largest radius known to be free of overlaps, at most the one asked for.
+  /// Largest radius known to be free of overlaps, at most the one asked for; 0: none.
   [[nodiscard]] double safe_radius() const;
 
   [[nodiscard]] double radius() const;

@@ -25,9 +25,9 @@ using Polar_curve = std::function<Polar_point(double s)>;
 [[nodiscard]] Polar_curve rectangle_curve(double a, double b, double corner);
 /// A smooth star: distance = radius (1 + depth cos(arms angle)), depth in [0, 1).
 [[nodiscard]] Polar_curve star_curve(double radius, double depth, int arms);
-/// A cross of two bars of half length `a` and half width `b` < a, corners rounded by `corner` in (0, (a - b) / 2].
+/// A cross of two bars of half length `a` and half width `b` < a, corners rounded by `corner` in (0, min(b, (a - b) / 2)].
 [[nodiscard]] Polar_curve cross_curve(double a, double b, double corner);
-/// A periodic cubic spline through points of ascending angles, at least three.
+/// A periodic cubic spline through points of strictly ascending angles, at least three, over less than a full turn.
 [[nodiscard]] Polar_curve spline_curve(const std::vector<Polar_point>& points);
 /// Any function of the angle.
 [[nodiscard]] Polar_curve function_curve(std::function<double(double angle)> distance);

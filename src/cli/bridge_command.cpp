@@ -193,15 +193,14 @@ void add_shape(CLI::App& command, Command_options& o) {
   add_number(command, "--twist", o.bridge.twist_deg, -1e6, 1e6, false, "Turns the ends against each other [0]")
       ->type_name("DEG");
   add_text(command, "--drag", o.drag, "S,T:X,Y,Z", "Chooses both lambdas so that the point (S,T) comes to (X,Y,Z)");
-  add_number(command, "--segments", o.segments, 0, 1e5, false, "Facets around the bridge, 0: by the tolerance [0]",
+  add_number(command, "--segments", o.segments, 0, 1e6, false, "Facets around the bridge, 0: by the tolerance [0]",
              true);
-  add_number(command, "--rows", o.rows, 0, 1e5, false, "Facets along the bridge, 0: by the tolerance [0]", true);
+  add_number(command, "--rows", o.rows, 0, 1e6, false, "Facets along the bridge, 0: by the tolerance [0]", true);
   add_number(command, "--chord-tolerance", o.bridge.chord_tolerance, 1e-5, 0.1, false,
              "Largest distance of the facets, as a fraction of the larger contact's radius [0.002]");
   add_number(command, "--smooth-angle", o.bridge.smooth_angle, 0, 180, true,
              "Faces whose normals differ by less belong to one smooth surface [40]")
       ->type_name("DEG");
-  command.add_flag("--fill-holes", o.bridge.fill_holes, "Allow holes within the contact curves");
 }
 
 }  // namespace

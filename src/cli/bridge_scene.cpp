@@ -14,8 +14,8 @@ namespace cgal_blend::cli {
 
 namespace {
 
-const std::vector<std::string> shape_keys{"mu",       "order", "twist",      "least_twist",     "drag",
-                                          "segments", "rows",  "fill_holes", "chord_tolerance", "smooth_angle"};
+const std::vector<std::string> shape_keys{"mu",       "order", "twist",           "least_twist", "drag",
+                                          "segments", "rows",  "chord_tolerance", "smooth_angle"};
 
 std::vector<std::string> with_shape_keys(std::vector<std::string> keys) {
   keys.insert(keys.end(), shape_keys.begin(), shape_keys.end());
@@ -57,7 +57,6 @@ void read_shape(const Scene_value& json, Bridge_step& step) {
   if (json.has("least_twist")) o.least_twist = json["least_twist"].boolean();
   if (json.has("segments")) o.segments = json["segments"].index();
   if (json.has("rows")) o.rows = json["rows"].index();
-  if (json.has("fill_holes")) o.fill_holes = json["fill_holes"].boolean();
   if (json.has("chord_tolerance")) o.chord_tolerance = json["chord_tolerance"].number();
   if (json.has("smooth_angle")) o.smooth_angle = json["smooth_angle"].number();
   if (json.has("drag")) step.drag = read_drag(json["drag"]);
