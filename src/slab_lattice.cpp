@@ -15,8 +15,6 @@ namespace cgal_blend {
 
 namespace {
 
-constexpr std::size_t most_cells = 60'000;
-
 /// A square face of the octree, as small as the smaller of its two cells: corners counterclockwise seen from outside.
 struct Square {
   std::array<Lattice_point, 4> corners;
@@ -43,7 +41,7 @@ Square square(const Lattice_point& p, std::int64_t s, std::size_t axis, bool up)
 class Contour {
  public:
   Contour(const Hermite_transition& psi, const Slab_sizing& cells, const Contour_options& options)
-      : psi_(psi), octree_(psi, cells, options) {}
+      : psi_(psi), options_(options), octree_(psi, cells, options) {}
 
   Slab_contour run() {
     for (const std::size_t side : {0, 1})
@@ -52,11 +50,12 @@ class Contour {
       const Lattice_cell cell = waiting_.back();
       waiting_.pop_back();
       march(cell);
-      if (seen_.size() > most_cells) {
+      if (seen_.size() > options_.most_cells) {
         result_.escape = octree_.place(cell.centre());
         result_.exhausted = true;
       }
     }
+    result_.cells = seen_.size();
     return std::move(result_);
   }
 
@@ -213,7 +212,7 @@ class Contour {
     const Vector_3 d = q - p;
     double low = 0, high = 1, t = at_p / (at_p - at_q);
     const double enough = 0.01 * std::min(-at_p, at_q);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < (options_.topology_only ? 0 : 8); ++i) {
       const double value = psi_(p + t * d);
       if (std::abs(value) <= enough) break;
       (value < 0 ? low : high) = t;
@@ -230,6 +229,7 @@ class Contour {
   }
 
   const Hermite_transition& psi_;
+  const Contour_options& options_;
   Slab_octree octree_;
   std::vector<Lattice_cell> waiting_;
   std::unordered_set<std::uint64_t> seen_;

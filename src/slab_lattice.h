@@ -19,7 +19,8 @@ struct Slab_contour {
   std::vector<Border> border;  ///< per point: the end of the lattice that it lies on
   std::vector<std::array<std::size_t, 3>> triangles;
   std::optional<Point_3> escape;  ///< where the surface left the lattice sideways
-  bool exhausted = false;         ///< it took more cells than can be kept; `escape` says where
+  std::size_t cells = 0;          ///< that were marched through
+  bool exhausted = false;         ///< it took more cells than it may; `escape` says where
 };
 
 /// Growth of cells with the distance from finer ones, per length: below what keeps the octree balanced, 0.19.
@@ -28,6 +29,8 @@ inline constexpr double cell_growth = 0.12;
 struct Contour_options {
   double fineness = 1;  ///< cells are this many times smaller than the sizing asks for, >= 1
   double gap = 0.3;     ///< distance of the lattice from the planes, in edges wanted there, in (0, 1)
+  std::size_t most_cells = 60'000;
+  bool topology_only = false;  ///< vertices need not lie on the surface, only between points of both signs
 };
 
 /// Follows Psi = 0 from the rings through an octree of the slab by marching tetrahedra: parts that no ring leads to are

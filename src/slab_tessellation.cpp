@@ -6,6 +6,7 @@
 #include "ring_strips.h"
 #include "slab_lattice.h"
 #include "slab_sizing.h"
+#include "slab_verification.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,9 @@ constexpr double growth = 0.35;                      // of facets with the dista
 constexpr double decline = 0.7;                      // from coarser ones
 constexpr double off_surface = 0.02;                 // of the edge length wanted
 constexpr int attempts = 3;                          // each with cells half as wide and half as near the planes
-constexpr std::size_t most_vertices_again = 60'000;  // of a contour, for another attempt
+constexpr std::size_t most_cells_again = 30'000;     // of all later ones
+constexpr std::size_t most_cells_finer = 150'000;    // of one that confirms the topology
+constexpr std::size_t most_vertices_again = 60'000;  // of a mesh, for another attempt
 constexpr int rounds = 5;                            // of halving facets where they cut through each other
 constexpr int attempts_to_reach = 2;                 // where a piece of surface does not lead to the other side
 
@@ -121,16 +124,17 @@ class Tessellator {
     facets_.forget_halvings();
   }
 
-  /// A finer attempt that takes too much leaves the diagnosis of the coarser one.
-  std::optional<Blend_mesh> coarse_mesh(Diagnosis& diagnosis) {
+  /// The surface from the rings of one side to those of the other.
+  std::optional<Joined_rings> joined_contour(const Slab_sizing& cells, const Contour_options& options,
+                                             Diagnosis& diagnosis) {
     short_of_other_side_ = false;
     const auto refuse = [&](const std::optional<Point_3>& where, const char* why) {
       diagnosis = {Status::openings_not_joined, why, where, std::nullopt};
       return std::nullopt;
     };
-    const Slab_contour contour = contour_slab(psi_, cells_, contour_);
+    const Slab_contour contour = contour_slab(psi_, cells, options);
     exhausted_ = contour.exhausted;
-    if (exhausted_ && !diagnosis.ok()) return std::nullopt;
+    cells_marched_ = contour.cells;
     if (exhausted_) return refuse(contour.escape, "the transition needs too many facets for its walls or gaps");
     if (contour.escape) return refuse(contour.escape, "the transition leaves the space between the openings");
     Joined_rings joined = join_rings(psi_, contour);
@@ -139,9 +143,35 @@ class Tessellator {
       short_of_other_side_ = true;
       return refuse(joined.points[*v], "the transition from this ring does not reach the other side");
     }
-    std::optional<Blend_mesh> mesh = mesh_of(joined);
-    if (!mesh) diagnosis = {Status::blend_folds, "the transition touches itself", joined.points.front(), std::nullopt};
+    return joined;
+  }
+
+  /// A finer attempt that takes too much leaves the diagnosis of the coarser one.
+  std::optional<Blend_mesh> coarse_mesh(Diagnosis& diagnosis) {
+    const Diagnosis before = diagnosis;
+    const std::optional<Joined_rings> joined = joined_contour(cells_, contour_, diagnosis);
+    contour_.most_cells = std::min(contour_.most_cells, most_cells_again + (before.ok() ? cells_marched_ : 0));
+    contour_.most_cells -= std::min(contour_.most_cells, cells_marched_);
+    if (exhausted_ && !before.ok()) diagnosis = before;
+    if (!joined) return std::nullopt;
+    std::optional<Blend_mesh> mesh = mesh_of(*joined);
+    if (!mesh) diagnosis = {Status::blend_folds, "the transition touches itself", joined->points.front(), std::nullopt};
     return mesh;
+  }
+
+  /// True if a finer contour has the characteristic found.
+  bool confirmed(long found) {
+    for (const double finer : {1.5, 2.0}) {
+      Contour_options options = contour_;
+      options.fineness *= finer;
+      options.most_cells = most_cells_finer;
+      options.topology_only = true;
+      Diagnosis unused;
+      const std::optional<Joined_rings> joined = joined_contour(cells_, options, unused);
+      exhausted_ = short_of_other_side_ = false;
+      if (joined && euler_characteristic(joined->triangles) == found) return true;
+    }
+    return false;
   }
 
   bool remesh(Blend_mesh& mesh) const {
@@ -161,17 +191,33 @@ class Tessellator {
     for (const auto& pair : internal::intersecting_pairs(mesh)) places.push_back(internal::meeting_point(mesh, pair));
     diagnosis = {};
     if (!places.empty())
-      diagnosis = {Status::blend_folds, "the transition crosses itself", places.front(), std::nullopt};
+      diagnosis = {Status::blend_folds, "the transition crosses itself; a finer edge or another implicit form may help",
+                   places.front(), std::nullopt};
     for (const Vertex v : mesh.vertices())
       if (v.idx() >= rings_ && std::abs(psi_(mesh.point(v))) > off_surface * facets_(mesh.point(v)))
         places.push_back(mesh.point(v));
     if (diagnosis.ok() && !places.empty())
-      diagnosis = {Status::blend_folds, "walls or gaps are too thin", places.front(), std::nullopt};
+      diagnosis = {Status::blend_folds, "walls or gaps are too thin; a finer edge or another implicit form may help",
+                   places.front(), std::nullopt};
+    if (places.empty()) places = unconfirmed(mesh, diagnosis);
     for (const Point_3& p : places) {
       cells_.halve_at(p);
       facets_.halve_at(p);
     }
     return places.empty();
+  }
+
+  /// The doubtful places, unless a finer contour, or the last one, coarser at such places, confirms the topology.
+  std::vector<Point_3> unconfirmed(const Blend_mesh& mesh, Diagnosis& diagnosis) {
+    std::vector<Point_3> places = doubtful_places(psi_, mesh);
+    const long found = static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(mesh.number_of_edges()) +
+                       static_cast<long>(mesh.number_of_faces());
+    if (places.empty() || unconfirmed_ == found || confirmed(found)) return {};
+    unconfirmed_ = found;
+    diagnosis = {Status::blend_folds,
+                 "tunnels or necks are too narrow to tell; a finer edge or another implicit form may help",
+                 places.front(), std::nullopt};
+    return places;
   }
 
   static void write(const Blend_mesh& mesh, Slab_tessellation& result) {
@@ -188,7 +234,9 @@ class Tessellator {
   std::size_t lower_, rings_;  ///< numbers of vertices
   bool short_of_other_side_ = false;
   bool exhausted_ = false;
-  Contour_options contour_;
+  std::optional<long> unconfirmed_;  ///< characteristic of the last mesh with doubtful places
+  std::size_t cells_marched_ = 0;    ///< by the last contour
+  Contour_options contour_;          ///< with the cells left to this and further attempts
 };
 
 }  // namespace
