@@ -74,15 +74,41 @@ TEST(Fuse, goes_over_into_the_parallel_case) {
   }
 }
 
-TEST(Fuse, refuses_an_arc_that_is_too_tight) {
-  // A thin tube beside the edge of a wide one: the arc between their centres would turn the wide one over.
-  const Blend_mesh low = frustum(1, 1, 32, -1, 0.5, 4), thin = frustum(0.2, 0.2, 16, -0.5, 2, 4);
-  const Placement to = moved_by(0.8, 0, 0) * placement({0, 1, 0}, pi / 2) * moved_by(-0.8, 0, 0);
-  const Blend_mesh high = transformed(thin, to);
+/// A mesh beyond z = 0, turned about the parallel to the y axis through (x, 0, 0), with its plane.
+struct Turned {
+  Turned(const Blend_mesh& straight, double angle, double x) {
+    const Placement to = moved_by(x, 0, 0) * placement({0, 1, 0}, angle) * moved_by(-x, 0, 0);
+    mesh = transformed(straight, to);
+    plane = {to.transform(Point_3(0, 0, 0)), to.transform(Vector_3(0, 0, -1))};
+  }
+  Blend_mesh mesh;
+  Cut_plane plane;
+};
+
+TEST(Fuse, leads_around_a_corner_with_the_arcs_centre_in_an_opening) {
+  // A thin tube above the edge of a wide one: all planes through the arc's axis meet within the wide one.
+  const Blend_mesh wide = frustum(1, 1, 48, -1, 0.5, 4), thin = frustum(0.2, 0.2, 24, -0.5, 2, 8);
+  for (const double angle : {pi / 3, pi / 2, 2 * pi / 3 - 1e-9}) {
+    const Turned high(thin, angle, 0.8);
+    Blend_mesh out;
+    const Fuse_outcome outcome = unchecked::fuse({{&wide}, lower_plane}, {{&high.mesh}, high.plane}, out);
+    expect_valid(outcome, out);
+    EXPECT_EQ(outcome.euler_characteristic, 2);
+    // As tangent as the same tubes at the same distance when straight: the bend adds nothing at the seams.
+    const Blend_mesh above = transformed(thin, moved_by(0, 0, outcome.height));
+    const Fuse_outcome straight = unchecked::fuse({{&wide}, lower_plane}, {{&above}, upper_plane(outcome.height)}, out);
+    expect_valid(straight, out);
+    EXPECT_NEAR(outcome.tangency_mean, straight.tangency_mean, 0.5) << angle;
+    EXPECT_LE(outcome.tangency_max, straight.tangency_max + 3) << angle;
+  }
+}
+
+TEST(Fuse, refuses_a_corner_that_is_too_tight) {
+  // Both tubes are wider than the arc's radius: the kept parts themselves meet.
+  const Blend_mesh low = frustum(1, 1, 32, -1, 0.5, 4);
+  const Turned high(frustum(1, 1, 32, -0.5, 2, 4), pi / 2, 0.4);
   Blend_mesh out;
-  const Fuse_outcome outcome =
-      unchecked::fuse({{&low}, lower_plane},
-                      {{&high}, Cut_plane{to.transform(Point_3(0, 0, 0)), to.transform(Vector_3(0, 0, -1))}}, out);
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high.mesh}, high.plane}, out);
   EXPECT_EQ(outcome.diagnosis.status, Status::blend_folds) << message(outcome.diagnosis);
   EXPECT_TRUE(outcome.diagnosis.point);
   EXPECT_EQ(out.number_of_faces(), 0u);

@@ -181,7 +181,7 @@ void print(const Fuse_command& command, const Fuse_outcome& outcome, const Blend
 void fuse(const Fuse_command& command, Report& report) {
   if (!command.labels.empty()) {
     std::vector<std::string> others = command.inputs();
-    others.push_back(command.output.mesh);
+    others.insert(others.end(), {command.output.mesh, command.output.report});
     check_labels_path(command.labels, others);
   }
   const Fuse_options options = options_of(command);
