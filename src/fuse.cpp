@@ -181,14 +181,15 @@ Slab_tessellation Fusion::tessellate(const std::array<Opening_sections, 2>& sect
 bool Fusion::place(const Fuse_frame& frame, const Slab_tessellation& slab, std::vector<Point_3>& inner) {
   const std::vector<Point_3>& all = slab.points;
   std::function<Point_3(const Point_3&)> placed = [&](const Point_3& p) { return frame.from_frame(p); };
-  if (std::any_of(all.begin(), all.end(), [&](const Point_3& p) { return frame.folds(p); })) {
+  if (std::any_of(all.begin(), all.end(), [&](const Point_3& p) { return frame.is_tight(p); })) {
     Paced_bend bend(frame.ends(), all);
-    if (const auto fold = bend.fold()) {
+    const auto fold = bend.fold();
+    if (fold && std::any_of(all.begin(), all.end(), [&](const Point_3& p) { return frame.folds(p); })) {
       const char* detail = "the way from the one opening to the other is too tight; move the sides apart";
       outcome_.diagnosis = {Status::blend_folds, detail, bend(*fold), {}};
       return false;
     }
-    placed = std::move(bend);
+    if (!fold) placed = std::move(bend);
   }
   std::size_t first = 0;
   for (const Fuse_side& side : sides_)

@@ -27,9 +27,10 @@ class Fuse_frame {
   [[nodiscard]] Point_3 to_frame(const Point_3& p, std::size_t side) const;
   /// Back again, bent about the arc; rigid at both planes to first order, so that tangents are kept.
   [[nodiscard]] Point_3 from_frame(const Point_3& p) const;
-  /// True where the bend would turn the transition over: on the inner side of an arc that is too tight for its openings;
-  /// see `Paced_bend`.
+  /// True where the bend would turn the transition over: on the inner side of an arc that is too tight for its openings.
   [[nodiscard]] bool folds(const Point_3& p) const { return !(shortening(p) > 0); }
+  /// True where the bend shortens by more than can be made up for at the planes: tangents are lost there.
+  [[nodiscard]] bool is_tight(const Point_3& p) const { return !(shortening(p) * largest_warp > 1); }
   /// What a `Paced_bend` starts from.
   [[nodiscard]] Bend_ends ends() const;
 
