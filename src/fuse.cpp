@@ -56,7 +56,10 @@ Diagnosis check_below(const Fuse_side& side) {
       for (const std::size_t i : ring)
         for (const Vertex v : vertices_around_target(part.mesh->halfedge(part.cut.vertices[i]), *part.mesh))
           if (height(v) > planar_hole * side.mean_edge * static_cast<double>(ring.size()))
-            return {Status::sides_interpenetrate, "a mesh rises above its own opening", part.mesh->point(v), {}};
+            return {Status::sides_interpenetrate,
+                    "a mesh rises above its own opening, or is inside out",
+                    part.mesh->point(v),
+                    {}};
   }
   return {};
 }

@@ -73,15 +73,20 @@ TEST_F(Fuse_refuses, openings_in_each_others_way) {
   EXPECT_EQ(status({{&left, &right}, lower_plane}, b), Status::sides_interpenetrate);
 }
 
+/// Without the faces at heights of 0.49 and more.
+Blend_mesh without_lid(Blend_mesh mesh) {
+  for (const Face f : mesh.faces()) {
+    double least = 9;
+    for (const std::size_t v : corners_of(mesh, f)) least = std::min(least, mesh.point(Vertex(v)).z());
+    if (least > 0.49) CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+  mesh.collect_garbage();
+  return mesh;
+}
+
 TEST_F(Fuse_refuses, kept_parts_in_the_way_of_the_transition) {
   // A mesh with a hole may have pieces above its own plane: nothing has been cut off.
-  Blend_mesh open = low;
-  for (const Face f : open.faces()) {
-    double least = 9;
-    for (const std::size_t v : corners_of(open, f)) least = std::min(least, open.point(Vertex(v)).z());
-    if (least > 0.49) CGAL::Euler::remove_face(open.halfedge(f), open);
-  }
-  open.collect_garbage();
+  const Blend_mesh open = without_lid(low);
   Blend_mesh out;
   ASSERT_TRUE(fuse(Fusion_side{{&open}, std::nullopt}, b, out).ok());
   const Blend_mesh knife = side_by_side(open, box({0.6, -0.1, 0.9}, {2, 0.1, 1.1}));
@@ -184,6 +189,21 @@ TEST_F(Fuse_refuses, bad_meshes) {
   const Blend_mesh reversed = inside_out(low), none;
   EXPECT_EQ(status({{&reversed}, lower_plane}, b), Status::input_misoriented);
   EXPECT_EQ(status({{&none}, lower_plane}, b), Status::input_empty);
+}
+
+TEST_F(Fuse_refuses, open_meshes_with_edges_of_almost_no_length) {
+  Blend_mesh open = without_lid(low);
+  Halfedge level;  // between walls, half-way up
+  for (const Halfedge h : open.halfedges())
+    if (open.point(open.source(h)).z() == -0.25 && open.point(open.target(h)).z() == -0.25) level = h;
+  const Point_3 from = open.point(open.source(level)), to = open.point(open.target(level));
+  const Halfedge split = CGAL::Euler::split_edge(level, open);
+  open.point(open.target(split)) = from + 1e-14 * (to - from);
+  const Halfedge other = open.prev(open.opposite(split));
+  CGAL::Euler::split_face(split, open.next(open.next(split)), open);
+  CGAL::Euler::split_face(other, open.next(open.next(other)), open);
+  ASSERT_TRUE(check_fusion_part(open, std::nullopt).ok());
+  EXPECT_EQ(status({{&open}, std::nullopt}, b), Status::input_degenerate);
 }
 
 TEST_F(Fuse_refuses, holes_that_the_plane_leaves_or_meets) {
