@@ -89,7 +89,7 @@ TEST_F(Cli_fuse, takes_several_meshes_a_side_and_all_forms) {
   write_mesh(path("right.off"), transformed(leg, moved_by(0.6, 0, 0)));
   const std::string legs = "--lower left.off,right.off --lower-plane 0,0,0,0,0,1 ";
   for (const std::string form : {"--implicit sdf", "--implicit grid", "--implicit rbf", "--rho 0.1", "--eta 0.2,0.8",
-                                 "--weight 2,1", "--edge 0.08", "--grading 2", "--step 0.5"}) {
+                                 "--weight 2,1", "--edge 0.08", "--grading 2", "--least-angle 25", "--step 0.5"}) {
     const Run r = run("fuse " + legs + high + form + " -o out.off --report r.json --quiet");
     ASSERT_EQ(r.exit, 0) << form << ": " << r.err;
     EXPECT_EQ(r.out + r.err, "");
@@ -126,10 +126,10 @@ TEST_F(Cli_fuse, refuses_a_section_that_is_not_closed) {
 }
 
 TEST_F(Cli_fuse, refuses_bad_options) {
-  for (const std::string bad :
-       {"--rho 0", "--rho -1", "--rho nan", "--rho x", "--rho 1 --implicit sdf", "--implicit cubes", "--eta 0.4",
-        "--eta 0.4,1.2", "--eta nan,0.5", "--weight 0,1", "--weight 1", "--step 0", "--edge 0", "--edge inf",
-        "--grading 0.5", "--place-upper '1 2 3'", "--place-upper '1 0 0 0 1 0 0 0 0 0 1 0'"})
+  for (const std::string bad : {"--rho 0", "--rho -1", "--rho nan", "--rho x", "--rho 1 --implicit sdf",
+                                "--implicit cubes", "--eta 0.4", "--eta 0.4,1.2", "--eta nan,0.5", "--weight 0,1",
+                                "--weight 1", "--step 0", "--edge 0", "--edge inf", "--grading 0.5", "--least-angle 31",
+                                "--least-angle -1", "--place-upper '1 2 3'", "--place-upper '1 0 0 0 1 0 0 0 0 0 1 0'"})
     refused(low + high + bad, 2, "");
   refused("--lower low.off --lower-plane 0,0,0,0,0 " + high, 2, "6 numbers");
   refused("--lower low.off --lower-plane 0,0,nan,0,0,1 " + high, 2, "not a number");
