@@ -25,7 +25,8 @@ Diagnosis check(const Cut_plane& plane) {
     if (!std::isfinite(plane.point[k]) || !std::isfinite(plane.normal[k]))
       return wrong("a plane is given by six finite numbers");
   const double length = plane.normal.squared_length();
-  if (!(length > 0) || !std::isfinite(length)) return wrong("the normal of a plane must have a length");
+  if (!(length > 0) || !std::isfinite(length))
+    return wrong("the normal of a plane must have a length, between 1e-150 and 1e150");
   return {};
 }
 

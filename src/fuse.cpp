@@ -5,6 +5,7 @@
 #include "fuse_frame.h"
 #include "fuse_sides.h"
 #include "hermite_transition.h"
+#include "number_text.h"
 #include "slab_tessellation.h"
 #include "stopwatch.h"
 
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -42,6 +45,8 @@ Diagnosis check_side(const Fusion_side& side) {
   return side.plane ? check(*side.plane) : Diagnosis{};
 }
 
+const char* side_name(std::size_t i) { return i == 0 ? "lower side" : "upper side"; }
+
 /// Meshes with holes must leave their plane downwards: nothing has been cut off.
 Diagnosis check_below(const Fuse_side& side) {
   if (side.cut) return {};
@@ -51,9 +56,31 @@ Diagnosis check_below(const Fuse_side& side) {
       for (const std::size_t i : ring)
         for (const Vertex v : vertices_around_target(part.mesh->halfedge(part.cut.vertices[i]), *part.mesh))
           if (height(v) > planar_hole * side.mean_edge * static_cast<double>(ring.size()))
-            return {Status::sides_interpenetrate, "a mesh rises above its own opening", part.mesh->point(v), {}};
+            return {Status::sides_interpenetrate,
+                    "a mesh rises above its own opening, or is inside out",
+                    part.mesh->point(v),
+                    {}};
   }
   return {};
+}
+
+// A transition of more facets than this is a mistyped edge length: it would take hours and all memory.
+constexpr double most_facets = 5e6;
+
+/// Refuses an edge length that makes too many facets: of equilateral triangles on a cylinder as wide as the wider side.
+Diagnosis check_edge(double edge, const std::array<Fuse_side, 2>& sides, double height) {
+  double around = 0;
+  for (const Fuse_side& side : sides) {
+    double length = 0;
+    for (const Section_loop& loop : side.points) length += side.mean_edge * static_cast<double>(loop.size());
+    around = std::max(around, length);
+  }
+  const double least = std::sqrt(around * height / most_facets * 4 / std::sqrt(3.0));
+  if (edge == 0 || edge >= least) return {};
+  return {Status::invalid_parameter,
+          "edges this short would make millions of facets; at least " + number_text(least),
+          {},
+          {}};
 }
 
 /// One fusion from the cut to the check.
@@ -66,12 +93,14 @@ class Fusion {
     outcome_.diagnosis = check_options(options_);
     for (const Fusion_side* side : given_)
       if (outcome_.ok()) outcome_.diagnosis = check_side(*side);
-    if (!outcome_.ok() || !open() || !go_on(0.1)) return outcome_;
-    const Fuse_frame frame(sides_[0].plane, sides_[1].plane);
-    outcome_.angle = frame.angle() * 180 / CGAL_PI;
-    outcome_.height = frame.height();
-    outcome_.diagnosis = frame.diagnosis();
-    if (outcome_.ok()) join(frame, out);
+    if (!outcome_.ok()) return outcome_;
+    // Where collapsed edges made a ring cross something, it is taken as it was cut.
+    std::array<bool, 2> tried{};
+    do {
+      tried = tidy_;
+      outcome_.diagnosis = {};
+      attempt(out);
+    } while (tidy_ != tried);
     return outcome_;
   }
 
@@ -81,6 +110,7 @@ class Fusion {
     return outcome_.ok();
   }
 
+  void attempt(Blend_mesh& out);
   bool open();
   bool make_sections(const Fuse_frame& frame, std::array<Opening_sections, 2>& sections);
   Slab_tessellation tessellate(const std::array<Opening_sections, 2>& sections, double height);
@@ -91,18 +121,27 @@ class Fusion {
   const Fuse_options& options_;
   Fuse_outcome outcome_;
   std::array<Fuse_side, 2> sides_;
+  std::array<bool, 2> tidy_{true, true};  // whether short edges of rings are collapsed
   std::size_t side_vertices_ = 0;
 };
+
+void Fusion::attempt(Blend_mesh& out) {
+  if (!open() || !go_on(0.1)) return;
+  const Fuse_frame frame(sides_[0].plane, sides_[1].plane);
+  outcome_.angle = frame.angle() * 180 / CGAL_PI;
+  outcome_.height = frame.height();
+  outcome_.diagnosis = frame.diagnosis();
+  if (outcome_.ok()) join(frame, out);
+}
 
 bool Fusion::open() {
   const Stopwatch watch;
   for (const std::size_t i : {0, 1}) {
-    sides_[i] = open_side(*given_[i]);
+    sides_[i] = open_side(*given_[i], tidy_[i]);
     outcome_.diagnosis = sides_[i].diagnosis;
     if (outcome_.ok()) outcome_.diagnosis = check_below(sides_[i]);
     if (!outcome_.ok()) {
-      std::string& detail = outcome_.diagnosis.detail;
-      detail = (i == 0 ? "lower side" : "upper side") + (detail.empty() ? "" : ": " + detail);
+      put_before(outcome_.diagnosis, side_name(i));
       return false;
     }
     outcome_.rings[i] = sides_[i].points.size();
@@ -117,7 +156,10 @@ bool Fusion::make_sections(const Fuse_frame& frame, std::array<Opening_sections,
   for (const std::size_t i : {0, 1}) {
     sections[i] = sections_in_frame(sides_[i], i, frame);
     outcome_.diagnosis = check_rings(sides_[i], sections[i], i == 1);
-    if (!outcome_.ok()) return false;
+    if (outcome_.ok()) continue;
+    if (outcome_.diagnosis.status == Status::openings_overlap) tidy_[i] = !sides_[i].cut;
+    put_before(outcome_.diagnosis, side_name(i));
+    return false;
   }
   return true;
 }
@@ -140,23 +182,30 @@ Slab_tessellation Fusion::tessellate(const std::array<Opening_sections, 2>& sect
 
 /// Places the transition, in space; false if it folds.
 bool Fusion::place(const Fuse_frame& frame, const Slab_tessellation& slab, std::vector<Point_3>& inner) {
-  const auto folded =
-      std::find_if(slab.points.begin(), slab.points.end(), [&](const Point_3& p) { return frame.folds(p); });
-  if (folded != slab.points.end()) {
-    const char* detail = "the arc is too tight for the openings; move the sides apart";
-    outcome_.diagnosis = {Status::blend_folds, detail, frame.from_frame(*folded), {}};
-    return false;
+  const std::vector<Point_3>& all = slab.points;
+  std::function<Point_3(const Point_3&)> placed = [&](const Point_3& p) { return frame.from_frame(p); };
+  if (std::any_of(all.begin(), all.end(), [&](const Point_3& p) { return frame.is_tight(p); })) {
+    Paced_bend bend(frame.ends(), all);
+    const auto fold = bend.fold();
+    if (fold && std::any_of(all.begin(), all.end(), [&](const Point_3& p) { return frame.folds(p); })) {
+      const char* detail = "the way from the one opening to the other is too tight; move the sides apart";
+      outcome_.diagnosis = {Status::blend_folds, detail, bend(*fold), {}};
+      return false;
+    }
+    if (!fold) placed = std::move(bend);
   }
   std::size_t first = 0;
   for (const Fuse_side& side : sides_)
     for (const auto& ring : side.rings) first += ring.size();
-  for (std::size_t i = first; i < slab.points.size(); ++i) inner.push_back(frame.from_frame(slab.points[i]));
+  std::transform(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), std::back_inserter(inner), placed);
   return true;
 }
 
 void Fusion::join(const Fuse_frame& frame, Blend_mesh& out) {
   std::array<Opening_sections, 2> sections;
   if (!make_sections(frame, sections) || !go_on(0.2)) return;
+  outcome_.diagnosis = check_edge(options_.edge, sides_, frame.height());
+  if (!outcome_.ok()) return;
   const Slab_tessellation slab = tessellate(sections, frame.height());
   outcome_.diagnosis = slab.diagnosis;
   if (outcome_.diagnosis.point) outcome_.diagnosis.point = frame.from_frame(*outcome_.diagnosis.point);

@@ -27,7 +27,8 @@ struct Fused_mesh {
 
 /// Checks all that is new, and meshes of the input that could meet each other; fills in volume, area, faces and tangency.
 /// `blend_collides`: the transition meets a kept part; `sides_interpenetrate`: kept parts meet; `blend_folds`: a bent
-/// transition meets itself; `plane_meets_vertex`: a part of a divided face has no area; else `result_invalid`.
+/// transition meets itself; `plane_meets_vertex`: a part of a divided face has no area; `input_degenerate`,
+/// `input_misoriented`: an open mesh was so; else `result_invalid`.
 void finish(const std::array<Fuse_side, 2>& sides, const Fused_mesh& fused, bool bent, Fuse_outcome& outcome);
 
 }  // namespace cgal_blend

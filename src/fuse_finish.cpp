@@ -82,7 +82,10 @@ std::vector<Face> Inspector::faces_to_check() const {
 
 Status Inspector::kind(const Flaw& flaw) const {
   const bool first = is_transition(flaw.faces[0]), second = is_transition(flaw.faces[1]);
-  if (flaw.status == Status::input_degenerate) return first ? Status::result_invalid : Status::plane_meets_vertex;
+  if (flaw.status == Status::input_degenerate) {
+    if (flaw.faces[0].idx() < fused_.kept_faces) return flaw.status;  // of an open mesh
+    return first ? Status::result_invalid : Status::plane_meets_vertex;
+  }
   if (first && second) return bent_ ? Status::blend_folds : Status::result_invalid;
   return first || second ? Status::blend_collides : Status::sides_interpenetrate;
 }

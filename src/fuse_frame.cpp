@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuse_frame.h"
 
+#include "number_text.h"
+#include "rotated.h"
+
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -10,12 +13,6 @@
 namespace cgal_blend {
 
 namespace {
-
-/// Rotates a vector about a unit axis (Rodrigues).
-Vector_3 rotated(const Vector_3& v, const Vector_3& axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return c * v + s * CGAL::cross_product(axis, v) + (1 - c) * (axis * v) * axis;
-}
 
 Vector_3 unit(const Vector_3& v) { return v / std::sqrt(v.squared_length()); }
 
@@ -41,11 +38,11 @@ Fuse_frame::Fuse_frame(const Cut_plane& lower, const Cut_plane& upper)
   const Vector_3 onward = -upper.normal, turn = CGAL::cross_product(z_, onward), between = upper.point - lower.point;
   angle_ = std::atan2(std::sqrt(turn.squared_length()), z_ * onward);
   if (angle_ * 180 / CGAL_PI > steepest_planes * (1 + 1e-9)) {
-    diagnosis_ = {
-        Status::planes_too_steep,
-        degrees(angle_) + " degrees, and at most " + degrees(steepest_planes * CGAL_PI / 180) + " are possible",
-        upper.point,
-        {}};
+    diagnosis_ = {Status::planes_too_steep,
+                  degrees(angle_) + " degrees, and at most " + degrees(steepest_planes * CGAL_PI / 180) +
+                      " are possible; normals point away from what is kept",
+                  upper.point,
+                  {}};
     return;
   }
   const bool bent = is_bent();
@@ -54,13 +51,18 @@ Fuse_frame::Fuse_frame(const Cut_plane& lower, const Cut_plane& upper)
   const double chord = between * middle;
   height_ = bent ? chord * (angle_ / 2) / std::sin(angle_ / 2) : chord;
   if (!(height_ > 0)) {
-    diagnosis_ = {Status::sides_interpenetrate, "the upper plane is not beyond the lower one", upper.point, {}};
+    const std::string excess =
+        bent ? "" : "; move the upper side along the lower normal by more than " + number_text(-chord);
+    diagnosis_ = {
+        Status::sides_interpenetrate, "the upper plane is not beyond the lower one" + excess, upper.point, {}};
     return;
   }
   const Vector_3 across = between - chord * middle;
   offset_ = bent ? rotated(across, axis_, -angle_ / 2) : across;
   if (bent) residue_ = across - rotated(offset_, axis_, angle_);
 }
+
+Bend_ends Fuse_frame::ends() const { return {{centre_[0], centre_[1]}, x_, y_, z_, axis_, angle_, height_, offset_}; }
 
 Point_3 Fuse_frame::to_frame(const Point_3& p, std::size_t side) const {
   Vector_3 v = p - centre_[side];

@@ -4,6 +4,7 @@
 
 #include "fuse_sides.h"
 #include "hermite_transition.h"
+#include "paced_bend.h"
 
 #include <array>
 
@@ -28,8 +29,10 @@ class Fuse_frame {
   [[nodiscard]] Point_3 from_frame(const Point_3& p) const;
   /// True where the bend would turn the transition over: on the inner side of an arc that is too tight for its openings.
   [[nodiscard]] bool folds(const Point_3& p) const { return !(shortening(p) > 0); }
-  /// The same as `from_frame` where nothing is bent: with the lower side.
-  [[nodiscard]] Point_3 from_straight_frame(const Point_3& p) const;
+  /// True where the bend shortens by more than can be made up for at the planes: tangents are lost there.
+  [[nodiscard]] bool is_tight(const Point_3& p) const { return !(shortening(p) * largest_warp > 1); }
+  /// What a `Paced_bend` starts from.
+  [[nodiscard]] Bend_ends ends() const;
 
  private:
   // Planes at a smaller angle, radians, count as parallel: the rings of both sides keep their places anyway.
@@ -37,7 +40,8 @@ class Fuse_frame {
   // At the planes heights are stretched by no more, so that none is passed twice; 4 would be the limit.
   static constexpr double largest_warp = 3.5;
 
-  [[nodiscard]] double shortening(const Point_3& p) const;  // of lengths along the bend
+  [[nodiscard]] Point_3 from_straight_frame(const Point_3& p) const;  // along with the lower side
+  [[nodiscard]] double shortening(const Point_3& p) const;            // of lengths along the bend
   [[nodiscard]] double warped(double z, double shortening) const;
 
   Diagnosis diagnosis_;

@@ -18,10 +18,10 @@ const Point_3& point(const Fuse_part& part, std::size_t v) {
 Vector_3 unit(const Vector_3& v) { return v / std::sqrt(v.squared_length()); }
 
 /// Cuts one mesh or takes its holes; `plane` receives the plane of the holes.
-Fuse_part open_part(const Blend_mesh& mesh, const std::optional<Cut_plane>& by, Cut_plane& plane) {
+Fuse_part open_part(const Blend_mesh& mesh, const std::optional<Cut_plane>& by, bool tidy, Cut_plane& plane) {
   Fuse_part part;
   part.mesh = &mesh;
-  part.cut = by ? cut(mesh, *by) : take_holes(mesh, plane);
+  part.cut = by ? cut(mesh, *by, tidy) : take_holes(mesh, plane);
   return part;
 }
 
@@ -54,20 +54,26 @@ void measure(Fuse_side& side) {
 
 }  // namespace
 
-Fuse_side open_side(const Fusion_side& given) {
+void put_before(Diagnosis& diagnosis, const std::string& subject) {
+  diagnosis.detail = diagnosis.detail.empty() ? subject : subject + ": " + diagnosis.detail;
+}
+
+Fuse_side open_side(const Fusion_side& given, bool tidy) {
   Fuse_side side;
   side.cut = given.plane.has_value();
   if (given.plane) side.plane = *given.plane;
   for (const Blend_mesh* mesh : given.meshes) {
     Cut_plane plane = side.plane;
-    side.parts.push_back(open_part(*mesh, given.plane, plane));
+    side.parts.push_back(open_part(*mesh, given.plane, tidy, plane));
     Fuse_part& part = side.parts.back();
     side.diagnosis = part.cut.diagnosis;
     if (!side.cut && side.parts.size() == 1) side.plane = plane;
     if (side.diagnosis.ok() && !side.cut)
       if (const auto off = point_off(side.plane, part))
         side.diagnosis = {Status::opening_not_planar, "the holes of the meshes lie in different planes", *off, {}};
-    if (!side.diagnosis.ok()) return side;
+    if (side.diagnosis.ok()) continue;
+    if (given.meshes.size() > 1) put_before(side.diagnosis, "mesh " + std::to_string(side.parts.size()));
+    return side;
   }
   side.plane.normal = unit(side.plane.normal);
   for (const Fuse_part& part : side.parts)

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace cgal_blend {
@@ -38,8 +39,12 @@ struct Fuse_side {
   double step = 0;
 };
 
+/// Says in a message what it is about.
+void put_before(Diagnosis& diagnosis, const std::string& subject);
+
 /// Cuts all meshes of a side, or takes their holes.
-[[nodiscard]] Fuse_side open_side(const Fusion_side& side);
+/// \param tidy whether short edges of rings are collapsed
+[[nodiscard]] Fuse_side open_side(const Fusion_side& side, bool tidy);
 
 /// Computes the sections shifted by a share of the mean edge of the rings.
 void add_shifted_sections(Fuse_side& side, double share);

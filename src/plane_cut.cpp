@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plane_cut.h"
 
+#include "plane_advice.h"
 #include "ring_edges.h"
 #include "section_walk.h"
 
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace cgal_blend {
@@ -46,9 +46,7 @@ std::optional<Vertex> vertex_met(const Blend_mesh& mesh, const Section_walk& wal
   return std::nullopt;
 }
 
-Diagnosis refusal(Status status, const Point_3& at, std::string detail = "") {
-  return {status, std::move(detail), at, std::nullopt};
-}
+Diagnosis refusal(Status status, const Point_3& at) { return {status, "", at, std::nullopt}; }
 
 /// Builds a cut: numbers what is kept, then divides faces.
 class Divider {
@@ -56,11 +54,11 @@ class Divider {
   Divider(const Blend_mesh& mesh, const Section_walk& walk)
       : mesh_(mesh), walk_(walk), vertex_(mesh.num_vertices(), none), new_vertex_(mesh.num_edges(), none) {}
 
-  Plane_cut run(const std::vector<Section_walk::Curve>& curves) {
+  Plane_cut run(const std::vector<Section_walk::Curve>& curves, bool tidy) {
     number_kept();
     for (const auto& curve : curves) add_ring(curve);
     for (const Face f : mesh_.faces()) divide(f);
-    collapse_short_ring_edges(cut_, mesh_, std::move(normals_));
+    if (tidy) collapse_short_ring_edges(cut_, mesh_, std::move(normals_));
     return std::move(cut_);
   }
 
@@ -177,20 +175,19 @@ std::vector<Section_loop> section(const Blend_mesh& mesh, const Cut_plane& plane
   return loops;
 }
 
-Plane_cut cut(const Blend_mesh& mesh, const Cut_plane& plane) {
+Plane_cut cut(const Blend_mesh& mesh, const Cut_plane& plane, bool tidy) {
   Plane_cut result;
   if (const auto v = vertex_on(mesh, plane)) {
-    result.diagnosis = refusal(Status::plane_meets_vertex, mesh.point(*v), "vertex " + std::to_string(v->idx()));
+    result.diagnosis = plane_that_meets(mesh, plane, *v);
     return result;
   }
   const Section_walk walk(mesh, plane);
   const std::vector<Section_walk::Curve> curves = walk.curves();
-  if (const auto v = vertex_met(mesh, walk, curves))
-    result.diagnosis = refusal(Status::plane_meets_vertex, mesh.point(*v), "vertex " + std::to_string(v->idx()));
-  if (curves.empty()) result.diagnosis.status = Status::plane_misses_mesh;
+  if (const auto v = vertex_met(mesh, walk, curves)) result.diagnosis = plane_that_meets(mesh, plane, *v);
+  if (curves.empty()) result.diagnosis = plane_that_misses(mesh, plane);
   for (const auto& curve : curves)
     if (!curve.closed) result.diagnosis = refusal(Status::section_not_closed, walk.point(curve.entries.back()));
-  return result.ok() ? Divider(mesh, walk).run(curves) : result;
+  return result.ok() ? Divider(mesh, walk).run(curves, tidy) : result;
 }
 
 Plane_cut take_holes(const Blend_mesh& mesh, Cut_plane& plane) {

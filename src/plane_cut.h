@@ -38,10 +38,10 @@ struct Plane_cut {
 // transition, and come from where the plane passes close to a vertex.
 inline constexpr double short_ring_edge = 0.15;
 
-/// Cuts a mesh by a plane and keeps the side that the normal points away from. Short edges of the rings are collapsed where no
-/// remnant turns over. What lies on which side is decided exactly; new vertices are rounded.
+/// Cuts a mesh by a plane and keeps the side that the normal points away from. Short edges of the rings are collapsed, if they
+/// are to be tidied, where no remnant turns far. What lies on which side is decided exactly; new vertices are rounded.
 /// \param mesh without self-intersections; closed but for holes that the plane does not meet
-[[nodiscard]] Plane_cut cut(const Blend_mesh& mesh, const Cut_plane& plane);
+[[nodiscard]] Plane_cut cut(const Blend_mesh& mesh, const Cut_plane& plane, bool tidy = true);
 
 /// Takes the holes of an open mesh for rings: the whole mesh is kept, `points` and `remnants` are empty.
 /// \param plane receives the plane of the holes, the normal pointing away from the mesh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cgal_blend/status.h>
 
+#include "number_text.h"
+
 #include <CGAL/number_utils.h>
 
 #include <charconv>
@@ -80,12 +82,10 @@ Wording wording(Status status) noexcept {
               C::blend};
     case S::curves_do_not_correspond:
       return {"curves_do_not_correspond", "The points of the two boundary curves cannot be paired", C::blend};
-    case S::no_boundary_curve:
-      return {"no_boundary_curve", "There is no such boundary curve on the surface", C::blend};
+    case S::no_boundary_curve: return {"no_boundary_curve", "There is no such boundary curve on the surface", C::blend};
     case S::surface_not_bounded:
       return {"surface_not_bounded", "The part of the surface that is kept has no end; give it a far plane", C::blend};
-    case S::blend_folds:
-      return {"blend_folds", "The blend folds over or cuts through itself; smaller distances d may help", C::blend};
+    case S::blend_folds: return {"blend_folds", "The blend folds over or cuts through itself", C::blend};
 
     case S::plane_misses_mesh: return {"plane_misses_mesh", "The plane does not cut the mesh", C::blend};
     case S::plane_meets_vertex:
@@ -98,10 +98,8 @@ Wording wording(Status status) noexcept {
               C::blend};
     case S::opening_not_planar:
       return {"opening_not_planar", "The holes of the mesh do not lie in one plane", C::blend};
-    case S::openings_overlap:
-      return {"openings_overlap", "Openings of one side cross or touch each other", C::blend};
-    case S::planes_too_steep:
-      return {"planes_too_steep", "The angle between the two planes is too large", C::blend};
+    case S::openings_overlap: return {"openings_overlap", "Openings of one side cross or touch each other", C::blend};
+    case S::planes_too_steep: return {"planes_too_steep", "The angle between the two planes is too large", C::blend};
     case S::sides_interpenetrate:
       return {"sides_interpenetrate",
               "The kept parts reach into each other or beyond the planes, so there is no room for a transition",
@@ -115,7 +113,8 @@ Wording wording(Status status) noexcept {
               "The radius is too large: shortest paths from the spot meet again on the far side of it", C::blend};
     case S::region_meets_border:
       return {"region_meets_border", "The region around the spot reaches a hole or a border of the mesh", C::blend};
-    case S::curve_crosses_itself: return {"curve_crosses_itself", "A contact curve crosses or touches itself", C::blend};
+    case S::curve_crosses_itself:
+      return {"curve_crosses_itself", "A contact curve crosses or touches itself", C::blend};
     case S::regions_overlap: return {"regions_overlap", "The regions of the two ends overlap", C::blend};
 
     case S::region_not_annular:
@@ -125,22 +124,17 @@ Wording wording(Status status) noexcept {
     case S::parametrization_folds:
       return {"parametrization_folds", "The blending region cannot be mapped to a rectangle without folds", C::blend};
     case S::region_too_coarse:
-      return {"region_too_coarse",
-              "The mesh is too coarse there for its vertices to be moved onto the blend without folds; refine it, or use "
-              "stitching mode",
-              C::blend};
+      return {
+          "region_too_coarse",
+          "The mesh is too coarse there for its vertices to be moved onto the blend without folds; refine it, or use "
+          "stitching mode",
+          C::blend};
 
     case S::result_invalid:
       return {"result_invalid", "The result failed the final check and was withheld; this is a defect of the program",
               C::result};
   }
   return {"unknown", "Unknown status", C::result};  // a value cast from outside the enumeration
-}
-
-std::string number_text(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6);
-  return std::string(buffer, end.ptr);
 }
 
 double number_value(const std::string& text) {

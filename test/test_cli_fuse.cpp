@@ -26,6 +26,7 @@ class Cli_fuse : public Cli_runner {
     Cli_runner::SetUp();
     write_mesh(path("low.off"), frustum(1, 1, 24, -1, 0.5, 4));
     write_mesh(path("high.off"), frustum(0.7, 0.7, 24, 1, 3, 3));
+    write_mesh(path("out.off"), frustum(1, 1, 3, 0, 1, 1));  // an earlier output
   }
 
   /// Refused with this status: one line, and nothing written or changed.
@@ -88,7 +89,7 @@ TEST_F(Cli_fuse, takes_several_meshes_a_side_and_all_forms) {
   write_mesh(path("right.off"), transformed(leg, moved_by(0.6, 0, 0)));
   const std::string legs = "--lower left.off,right.off --lower-plane 0,0,0,0,0,1 ";
   for (const std::string form : {"--implicit sdf", "--implicit grid", "--implicit rbf", "--rho 0.1", "--eta 0.2,0.8",
-                                 "--weight 2,1", "--edge 0.08", "--grading 2", "--step 0.5"}) {
+                                 "--weight 2,1", "--edge 0.08", "--grading 2", "--least-angle 25", "--step 0.5"}) {
     const Run r = run("fuse " + legs + high + form + " -o out.off --report r.json --quiet");
     ASSERT_EQ(r.exit, 0) << form << ": " << r.err;
     EXPECT_EQ(r.out + r.err, "");
@@ -100,10 +101,11 @@ TEST_F(Cli_fuse, takes_several_meshes_a_side_and_all_forms) {
 }
 
 TEST_F(Cli_fuse, refuses_what_cannot_be_fused) {
-  refused("--lower low.off --lower-plane 0,0,9,0,0,1 " + high, 4, "does not cut the mesh");
+  refused("--lower low.off --lower-plane 0,0,9,0,0,1 " + high, 4, "by between 8.5 and 10, at (");
   refused("--lower low.off --lower-plane 0,0,0,0,1,0 " + high, 4, "through a vertex");
+  refused("--lower low.off --lower-plane 0,0,0.125,0,0,1 " + high, 4, "by 0.1875 ");
   refused("--lower low.off --lower-plane 0,0,0.5,0,0,1 " + high, 4, "along a face");
-  refused(low + "--upper low.off --upper-plane 0,0,-0.2,0,0,-1 ", 4, "not beyond the lower one");
+  refused(low + "--upper low.off --upper-plane 0,0,-0.2,0,0,-1 ", 4, "by more than 0.2, at (");
   refused(low + "--upper high.off --upper-plane 0,0,1.5,0,0,1 ", 4, "at most 120");
   refused("--lower low.off " + high, 4, "no holes");
   refused("--lower low.off,low.off --lower-plane 0,0,0,0,0,1 " + high, 4, "cross or touch");
@@ -124,10 +126,10 @@ TEST_F(Cli_fuse, refuses_a_section_that_is_not_closed) {
 }
 
 TEST_F(Cli_fuse, refuses_bad_options) {
-  for (const std::string bad :
-       {"--rho 0", "--rho -1", "--rho nan", "--rho x", "--rho 1 --implicit sdf", "--implicit cubes", "--eta 0.4",
-        "--eta 0.4,1.2", "--eta nan,0.5", "--weight 0,1", "--weight 1", "--step 0", "--edge 0", "--edge inf",
-        "--grading 0.5", "--place-upper '1 2 3'", "--place-upper '1 0 0 0 1 0 0 0 0 0 1 0'"})
+  for (const std::string bad : {"--rho 0", "--rho -1", "--rho nan", "--rho x", "--rho 1 --implicit sdf",
+                                "--implicit cubes", "--eta 0.4", "--eta 0.4,1.2", "--eta nan,0.5", "--weight 0,1",
+                                "--weight 1", "--step 0", "--edge 0", "--edge inf", "--grading 0.5", "--least-angle 31",
+                                "--least-angle -1", "--place-upper '1 2 3'", "--place-upper '1 0 0 0 1 0 0 0 0 0 1 0'"})
     refused(low + high + bad, 2, "");
   refused("--lower low.off --lower-plane 0,0,0,0,0 " + high, 2, "6 numbers");
   refused("--lower low.off --lower-plane 0,0,nan,0,0,1 " + high, 2, "not a number");
@@ -135,6 +137,9 @@ TEST_F(Cli_fuse, refuses_bad_options) {
   refused("--lower low.off --lower-plane 0,0,0,0,0,1 ", 2, "--upper");
   refused("--lower none.off " + high, 3, "none.off");
   refused(low + high + "--labels out.off", 2, "would replace");
+  EXPECT_EQ(run("fuse " + low + high + "--labels r.json --report r.json -o out.off").exit, 2);
+  EXPECT_EQ(json("r.json")["status"], "invalid_parameter") << "the report is there, and no labels over it";
+  refused(low + high + "--edge 1e-7", 2, "at least");
 }
 
 }  // namespace

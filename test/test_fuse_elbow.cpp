@@ -74,15 +74,62 @@ TEST(Fuse, goes_over_into_the_parallel_case) {
   }
 }
 
-TEST(Fuse, refuses_an_arc_that_is_too_tight) {
-  // A thin tube beside the edge of a wide one: the arc between their centres would turn the wide one over.
-  const Blend_mesh low = frustum(1, 1, 32, -1, 0.5, 4), thin = frustum(0.2, 0.2, 16, -0.5, 2, 4);
-  const Placement to = moved_by(0.8, 0, 0) * placement({0, 1, 0}, pi / 2) * moved_by(-0.8, 0, 0);
-  const Blend_mesh high = transformed(thin, to);
+/// A mesh beyond z = 0, turned about the parallel to the y axis through (x, 0, 0), with its plane.
+struct Turned {
+  Turned(const Blend_mesh& straight, double angle, double x) {
+    const Placement to = moved_by(x, 0, 0) * placement({0, 1, 0}, angle) * moved_by(-x, 0, 0);
+    mesh = transformed(straight, to);
+    plane = {to.transform(Point_3(0, 0, 0)), to.transform(Vector_3(0, 0, -1))};
+  }
+  Blend_mesh mesh;
+  Cut_plane plane;
+};
+
+/// A wide tube below, and a thin one above its edge that leads away at an angle; the arc's axis passes through the wide opening,
+/// and through (x, 0, 0).
+struct Corner {
+  double wide, thin, x, angle;
+};
+
+class Fuse_corner : public testing::TestWithParam<Corner> {};
+
+TEST_P(Fuse_corner, is_as_tangent_as_straight_tubes) {
+  const Corner c = GetParam();
+  const Blend_mesh low = frustum(c.wide, c.wide, 48, -1, 0.5, 4), thin = frustum(c.thin, c.thin, 24, -0.5, 2, 8);
+  const Turned high(thin, c.angle, c.x);
   Blend_mesh out;
-  const Fuse_outcome outcome =
-      unchecked::fuse({{&low}, lower_plane},
-                      {{&high}, Cut_plane{to.transform(Point_3(0, 0, 0)), to.transform(Vector_3(0, 0, -1))}}, out);
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high.mesh}, high.plane}, out);
+  expect_valid(outcome, out);
+  EXPECT_EQ(outcome.euler_characteristic, 2);
+  const Blend_mesh above = transformed(thin, moved_by(0, 0, outcome.height));
+  const Fuse_outcome straight = unchecked::fuse({{&low}, lower_plane}, {{&above}, upper_plane(outcome.height)}, out);
+  expect_valid(straight, out);
+  EXPECT_NEAR(outcome.tangency_mean, straight.tangency_mean, 0.5);
+  EXPECT_LE(outcome.tangency_max, straight.tangency_max + 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tubes, Fuse_corner,
+                         testing::Values(Corner{1, 0.2, 0.8, pi / 3}, Corner{1, 0.2, 0.8, pi / 2},
+                                         Corner{1, 0.2, 0.8, 2 * pi / 3 - 1e-9}));
+
+TEST(Fuse, keeps_tangents_where_the_arcs_centre_is_just_beside_an_opening) {
+  // There is an arc, but it shortens its inner side too far to be rigid at the planes.
+  const Blend_mesh low = frustum(0.4, 0.4, 48, -1, 0.5, 4), wide = frustum(0.9, 0.9, 48, -0.5, 2, 8);
+  Turned high(wide, 75 * pi / 180, 0.5);
+  high.mesh = transformed(high.mesh, moved_by(0, 0, 0.35));
+  high.plane.point += Vector_3(0, 0, 0.35);
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high.mesh}, high.plane}, out);
+  expect_valid(outcome, out);
+  EXPECT_LE(outcome.tangency_max, 360.0 / 48);
+}
+
+TEST(Fuse, refuses_a_corner_that_is_too_tight) {
+  // Both tubes are wider than the arc's radius: the kept parts themselves meet.
+  const Blend_mesh low = frustum(1, 1, 32, -1, 0.5, 4);
+  const Turned high(frustum(1, 1, 32, -0.5, 2, 4), pi / 2, 0.4);
+  Blend_mesh out;
+  const Fuse_outcome outcome = unchecked::fuse({{&low}, lower_plane}, {{&high.mesh}, high.plane}, out);
   EXPECT_EQ(outcome.diagnosis.status, Status::blend_folds) << message(outcome.diagnosis);
   EXPECT_TRUE(outcome.diagnosis.point);
   EXPECT_EQ(out.number_of_faces(), 0u);

@@ -56,11 +56,8 @@ Bridge_result<Graph> hand_out_bridge(const Bridge_outcome& outcome, const Blend_
   result.times = outcome.times;
   if (!outcome.ok()) return result;
   const Copy_maps<Blend_mesh, Graph> maps = copy_out(mesh, out, np);
-  for (const auto& faces : outcome.bridge_faces) {
-    result.bridge_faces.emplace_back();
-    for (const Face f : faces) result.bridge_faces.back().push_back(maps.faces.at(f));
-  }
-  for (const Face f : outcome.changed_faces) result.changed_faces.push_back(maps.faces.at(f));
+  for (const auto& faces : outcome.bridge_faces) result.bridge_faces.push_back(translated<Graph>(faces, maps));
+  result.changed_faces = translated<Graph>(outcome.changed_faces, maps);
   result.kept_faces = outcome.kept_faces;
   result.volume = outcome.volume;
   result.area = outcome.area;

@@ -11,7 +11,7 @@ namespace cgal_blend {
 /// rounded anywhere, so that which side a vertex is on is decided exactly, also by decimal coordinates typed in.
 struct Cut_plane {
   Point_3 point;    ///< any point of the plane
-  Vector_3 normal;  ///< points away from what is kept; of any length > 0
+  Vector_3 normal;  ///< points away from what is kept; its length may be anything from 1e-150 to 1e150
 };
 
 /// Refuses numbers that are not finite and a normal of no length (`invalid_parameter`).

@@ -65,15 +65,6 @@ inline Diagnosis check_input(const Blend_mesh& mesh, const Graph_fillet_options&
   return diagnosis;
 }
 
-template <class Graph>
-std::vector<typename boost::graph_traits<Graph>::face_descriptor> translated(const std::vector<Face>& faces,
-                                                                             const Copy_maps<Blend_mesh, Graph>& maps) {
-  std::vector<typename boost::graph_traits<Graph>::face_descriptor> result;
-  result.reserve(faces.size());
-  for (const Face f : faces) result.push_back(maps.faces.at(f));
-  return result;
-}
-
 /// Hands an engine's outcome to the user; the output mesh is only touched if there is something to write into it.
 template <class Graph, class Named_parameters>
 Fillet_result<Graph> hand_out(const Fillet_outcome& outcome, const Blend_mesh& mesh, const Stage_times& before,

@@ -63,15 +63,6 @@ Diagnosis copy_side(const Fusion_side_of<Graph>& side, const std::string& which,
   return {};
 }
 
-template <class Graph>
-std::vector<typename boost::graph_traits<Graph>::face_descriptor> faces_of(const std::vector<Face>& faces,
-                                                                           const Copy_maps<Blend_mesh, Graph>& maps) {
-  std::vector<typename boost::graph_traits<Graph>::face_descriptor> result;
-  result.reserve(faces.size());
-  for (const Face f : faces) result.push_back(maps.faces.at(f));
-  return result;
-}
-
 template <class Graph, class Named_parameters>
 Fuse_result<Graph> hand_out_fusion(const Fuse_outcome& outcome, const Blend_mesh& mesh, Graph& out,
                                    const Named_parameters& np) {
@@ -83,8 +74,8 @@ Fuse_result<Graph> hand_out_fusion(const Fuse_outcome& outcome, const Blend_mesh
   result.times = outcome.times;
   if (!outcome.ok()) return result;
   const Copy_maps<Blend_mesh, Graph> maps = copy_out(mesh, out, np);
-  result.transition_faces = faces_of<Graph>(outcome.transition_faces, maps);
-  result.changed_faces = faces_of<Graph>(outcome.changed_faces, maps);
+  result.transition_faces = translated<Graph>(outcome.transition_faces, maps);
+  result.changed_faces = translated<Graph>(outcome.changed_faces, maps);
   result.kept_faces = outcome.kept_faces;
   result.one_sided = outcome.one_sided;
   result.euler_characteristic = outcome.euler_characteristic;

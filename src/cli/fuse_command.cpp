@@ -27,7 +27,7 @@ struct Fuse_command {
   std::string lower, upper;  // as typed: files with commas
   std::optional<std::string> lower_plane, upper_plane, place_upper, implicit, eta, weight;
   std::optional<double> rho;
-  double step = 0.2, edge = 0, grading = 1;
+  double step = 0.2, edge = 0, grading = 1, least_angle = 20;
   std::string labels;
   Output_options output;
 
@@ -98,6 +98,7 @@ Fuse_options options_of(const Fuse_command& command) {
   options.step = command.step;
   options.edge = command.edge;
   options.grading = command.grading;
+  options.least_angle = command.least_angle;
   return options;
 }
 
@@ -181,7 +182,7 @@ void print(const Fuse_command& command, const Fuse_outcome& outcome, const Blend
 void fuse(const Fuse_command& command, Report& report) {
   if (!command.labels.empty()) {
     std::vector<std::string> others = command.inputs();
-    others.push_back(command.output.mesh);
+    others.insert(others.end(), {command.output.mesh, command.output.report});
     check_labels_path(command.labels, others);
   }
   const Fuse_options options = options_of(command);
@@ -254,6 +255,8 @@ void add_shape(CLI::App& app, Fuse_command& o) {
              "Distance of the shifted sections, of the rings' mean edge [0.2]");
   add_number(app, "--edge", o.edge, 0, 1e300, true, "Edge length of the transition, length units [that of the rings]");
   add_number(app, "--grading", o.grading, 1, 100, false, "How many times larger facets grow away from the rings [1]");
+  add_number(app, "--least-angle", o.least_angle, 0, 30, false,
+             "What no angle of the transition away from the rings should fall below, degrees [20]");
   app.add_option("--labels", o.labels, "Also write what each face is: kept, cut or transition, one line per face")
       ->type_name("FILE");
 }

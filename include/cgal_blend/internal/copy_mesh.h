@@ -216,6 +216,16 @@ Copy_maps<Blend_mesh, Graph> copy_out(const Blend_mesh& mesh, Graph& graph, cons
   return copy_graph(mesh, get(CGAL::vertex_point, mesh), graph, points);
 }
 
+/// Faces of a mesh as those of its copy.
+template <class Graph>
+std::vector<typename boost::graph_traits<Graph>::face_descriptor> translated(const std::vector<Face>& faces,
+                                                                             const Copy_maps<Blend_mesh, Graph>& maps) {
+  std::vector<typename boost::graph_traits<Graph>::face_descriptor> result;
+  result.reserve(faces.size());
+  for (const Face f : faces) result.push_back(maps.faces.at(f));
+  return result;
+}
+
 }  // namespace cgal_blend::internal
 
 #endif
