@@ -131,7 +131,7 @@ bool Bridge_solver::set_order(int order) {
 bool Bridge_solver::set_twist(double degrees) {
   if (!std::isfinite(degrees)) return false;
   impl_->options.twist_deg = degrees;
-  impl_->make_grid();
+  impl_->grid->turn_to(impl_->turn(), impl_->shape);
   return true;
 }
 

@@ -18,6 +18,12 @@ double distance_of(const Kernel::Point_2& p, const Kernel::Point_2& q) {
   return std::hypot(p.x() + s * ex, p.y() + s * ey);
 }
 
+/// Outside of the box around a triangle: by comparisons only, cheaper than orientations.
+bool is_beside(const Kernel::Point_2& p, const Kernel::Point_2& a, const Kernel::Point_2& b, const Kernel::Point_2& c) {
+  return p.x() < std::min({a.x(), b.x(), c.x()}) || p.x() > std::max({a.x(), b.x(), c.x()}) ||
+         p.y() < std::min({a.y(), b.y(), c.y()}) || p.y() > std::max({a.y(), b.y(), c.y()});
+}
+
 }  // namespace
 
 double thin_height(Chart_kind kind, double radius) {
@@ -133,7 +139,11 @@ Polar_point Polar_chart::at(const Region_mesh::Place& place) const {
 
 /// Column and row of a place; columns of a band are not wrapped.
 std::array<int, 2> Polar_chart::cell(const Point& p) const {
-  const auto at = [&](double share) { return static_cast<int>(std::floor(share * cells_)); };
+  const auto at = [&](double share) {  // rounds down, without the call that std::floor is
+    const double x = share * cells_;
+    const int towards_zero = static_cast<int>(x);
+    return towards_zero - (x < towards_zero ? 1 : 0);
+  };
   const auto inside = [&](int i) { return std::clamp(i, 0, cells_ - 1); };
   if (kind_ == Chart_kind::band) return {at(p.x() / (2 * pi)), inside(at(p.y() / limit_))};
   return {inside(at((p.x() / limit_ + 1) / 2)), inside(at((p.y() / limit_ + 1) / 2))};
@@ -177,6 +187,7 @@ std::optional<Region_mesh::Place> Polar_chart::locate(const Polar_point& at) con
     const std::int32_t t = cell_triangles_[i];
     const auto [a, b, d] = corners(t);
     const Point p = is_band ? Point(a.x() + turn(a.x(), place.x()), place.y()) : place;
+    if (!is_band && is_beside(p, a, b, d)) continue;
     const bool inside = CGAL::orientation(a, b, p) != CGAL::RIGHT_TURN &&
                         CGAL::orientation(b, d, p) != CGAL::RIGHT_TURN &&
                         CGAL::orientation(d, a, p) != CGAL::RIGHT_TURN;

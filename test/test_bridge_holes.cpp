@@ -92,15 +92,20 @@ TEST(Bridge_holes, bridge_a_hole_at_the_spot_as_if_it_were_not_there) {
   const Bridge_outcome reference = unchecked::bridge(spheres.mesh(4), spheres.ends(), whole, options);
   ASSERT_TRUE(reference.ok());
   EXPECT_NEAR(outcome.volume, reference.volume, 0.01 * reference.volume);
-  EXPECT_LT(outcome.bridges[0].tangency_deg, 2);
+  EXPECT_LT(outcome.bridges[0].tangency_deg, reference.bridges[0].tangency_deg + 0.5);
 }
 
 TEST(Bridge_holes, take_the_centre_of_an_opening_for_a_spot) {
-  for (const auto& [around, rings] : {std::pair{48, 20}, std::pair{24, 0}}) {
+  struct Tube {
+    int around, rings;
+    double radius;
+  };
+  // Strips as long as the tube tell nothing of its curvature: the filling is flat then.
+  for (const auto& [around, rings, radius] : {Tube{48, 20, 2.2}, Tube{24, 4, 1.8}, Tube{24, 0, 1.5}}) {
     const Blend_mesh mesh = open_tube(around, rings);
     Bridge_options options;
     options.fill_holes = true;
-    std::array<Bridge_end, 2> ends{end_at({0, 0, 3}, 2.2), end_at({0, 0, 4.8}, 0.7)};
+    std::array<Bridge_end, 2> ends{end_at({0, 0, 3}, radius), end_at({0, 0, 4.8}, 0.7)};
     Blend_mesh out;
     const Bridge_outcome outcome = unchecked::bridge(mesh, ends, out, options);
     SCOPED_TRACE(around);
