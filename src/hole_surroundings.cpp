@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <Eigen/SparseLU>
 
+#include <cmath>
 #include <iterator>
 
 namespace cgal_blend {
@@ -14,6 +15,29 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 constexpr int rings_around = 3;  // of faces; fairing with continuous tangents looks at two
+constexpr double evenly = 2;     // mean edge at a rim over mean edge along it, up to which faces count as of one size
+const double usual_density = std::sqrt(2.0);
+
+double length(const Blend_mesh& mesh, Halfedge h) {
+  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+}
+
+/// Triangles of a filling are as large as the faces around. Where these are long strips that end at the rim, it is the
+/// rim's edges that count: else there would be no vertex within, and no way for the filling to go on smoothly.
+double density(const Blend_mesh& mesh, Halfedge hole) {
+  double along = 0, around = 0;
+  std::size_t rim = 0, edges = 0;
+  for (const Halfedge h : mesh.halfedges_around_face(hole)) {
+    along += length(mesh, h);
+    ++rim;
+    for (const Halfedge g : mesh.halfedges_around_target(h)) {
+      around += length(mesh, g);
+      ++edges;
+    }
+  }
+  const double ratio = around / static_cast<double>(edges) / (along / static_cast<double>(rim));
+  return ratio > evenly ? usual_density * ratio : usual_density;
+}
 
 }  // namespace
 
@@ -30,8 +54,9 @@ std::vector<Face> Hole_surroundings::fill() {
   if (h == Blend_mesh::null_halfedge() || !copy_.is_border(h)) return faces;
   using Solver = CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
   std::vector<Vertex> vertices;
-  PMP::triangulate_refine_and_fair_hole(copy_, h, std::back_inserter(faces), std::back_inserter(vertices),
-                                        PMP::parameters::sparse_linear_solver(Solver()));
+  PMP::triangulate_refine_and_fair_hole(
+      copy_, h, std::back_inserter(faces), std::back_inserter(vertices),
+      PMP::parameters::sparse_linear_solver(Solver()).density_control_factor(density(copy_, h)));
   return faces;
 }
 

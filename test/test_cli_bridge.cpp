@@ -73,6 +73,14 @@ TEST_F(Cli_bridge, joins_two_bodies_with_a_report_and_labels) {
   EXPECT_GT(std::count(lines.begin(), lines.end(), "body B"), 100);
 }
 
+TEST_F(Cli_bridge, lets_scenes_say_all_about_their_bridges) {
+  write("one.json", R"({"bodies": {"a": {"file": "a.off"}, "b": {"file": "b.off"}},
+    "bridges": [{"ends": [{"at": [0, 0, 1], "radius": 0.6}, {"at": [0, 0, 1.8], "radius": 0.5}]}]})");
+  EXPECT_EQ(run("bridge --scene one.json -o out.off").exit, 0);
+  for (const char* ignored : {"--cross", "--at-a 0,0,1", "--radius-b 2", "--mu 0.2", "--twist 3", "--drag 0,0.5:0,0,1"})
+    EXPECT_EQ(run(std::string("bridge --scene one.json -o out.off ") + ignored).exit, 2) << ignored;
+}
+
 TEST_F(Cli_bridge, takes_holes_away_on_demand) {
   Blend_mesh mesh = sphere(1, 3);
   for (const Vertex v : std::vector<Vertex>(mesh.vertices().begin(), mesh.vertices().end()))

@@ -224,17 +224,22 @@ void add_bridge_command(CLI::App& app, int& exit_status) {
   command->add_option("A", options->a, "Body, or first body")->type_name("MESH");
   command->add_option("B", options->b, "Second body")->type_name("MESH");
   add_mesh_output(*command, options->output);
-  command->add_option("--scene", options->scene, "Bodies and bridges, as JSON, instead of A and B")->type_name("JSON");
+  CLI::Option* scene =
+      command->add_option("--scene", options->scene, "Bodies and bridges, as JSON, instead of A and B");
+  scene->type_name("JSON");
   command->add_option("--labels", options->labels, "Also write what each face is a part of, one line per face")
       ->type_name("FILE");
+  const std::size_t for_scenes = command->get_options().size();
   add_text(*command, "--transform-b", options->transform, "MATRIX",
            "Places B: 12 numbers \"m00 m01 ... m23\", a 3 x 4 matrix row by row");
   command->add_flag("--cross", options->cross,
                     "Unite A and B, which cross, and bridge at the radii from their intersection curves");
-  command->add_flag("--fill-holes", options->bridge.fill_holes,
-                    "Meshes may have holes, each within a contact curve; spots may lie within the openings");
   for (std::size_t k = 0; k < 2; ++k) add_end(*command, k, options->ends[k]);
   add_shape(*command, *options);
+  const std::vector<CLI::Option*> all = command->get_options();
+  for (std::size_t i = for_scenes; i < all.size(); ++i) scene->excludes(all[i]);  // the scene says these things
+  command->add_flag("--fill-holes", options->bridge.fill_holes,
+                    "Meshes may have holes, each within a contact curve; spots may lie within the openings");
   command->callback([=, &exit_status] {
     std::vector<std::string> inputs;
     for (const std::string& file : {options->a, options->b, options->scene})
