@@ -28,6 +28,7 @@ struct End_texts {
 
 struct Command_options {
   std::string a, b, scene, labels;
+  std::string shape_option;  // any one of those given that scenes have entries for
   std::optional<std::string> transform, drag;
   std::array<End_texts, 2> ends;
   bool cross = false;
@@ -134,6 +135,8 @@ Bridge_scene read_bodies(const Command_options& options, Report& report) {
 
 Bridge_scene read_scene_file(const Command_options& options, Report& report) {
   if (!options.a.empty()) throw usage_failure("--scene takes the place of A and B");
+  if (!options.shape_option.empty())
+    throw usage_failure("--scene: " + options.shape_option + " must be given in the scene file");
   report.input = {{"file", options.scene}};
   Bridge_scene scene;
   {
@@ -224,9 +227,7 @@ void add_bridge_command(CLI::App& app, int& exit_status) {
   command->add_option("A", options->a, "Body, or first body")->type_name("MESH");
   command->add_option("B", options->b, "Second body")->type_name("MESH");
   add_mesh_output(*command, options->output);
-  CLI::Option* scene =
-      command->add_option("--scene", options->scene, "Bodies and bridges, as JSON, instead of A and B");
-  scene->type_name("JSON");
+  command->add_option("--scene", options->scene, "Bodies and bridges, as JSON, instead of A and B")->type_name("JSON");
   command->add_option("--labels", options->labels, "Also write what each face is a part of, one line per face")
       ->type_name("FILE");
   const std::size_t for_scenes = command->get_options().size();
@@ -237,10 +238,11 @@ void add_bridge_command(CLI::App& app, int& exit_status) {
   for (std::size_t k = 0; k < 2; ++k) add_end(*command, k, options->ends[k]);
   add_shape(*command, *options);
   const std::vector<CLI::Option*> all = command->get_options();
-  for (std::size_t i = for_scenes; i < all.size(); ++i) scene->excludes(all[i]);  // the scene says these things
   command->add_flag("--fill-holes", options->bridge.fill_holes,
                     "Meshes may have holes, each within a contact curve; spots may lie within the openings");
   command->callback([=, &exit_status] {
+    for (std::size_t i = for_scenes; i < all.size(); ++i)
+      if (all[i]->count() > 0) options->shape_option = all[i]->get_name();
     std::vector<std::string> inputs;
     for (const std::string& file : {options->a, options->b, options->scene})
       if (!file.empty()) inputs.push_back(file);
