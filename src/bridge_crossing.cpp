@@ -50,9 +50,9 @@ class Crossing_bridges {
     std::vector<const Bridge_grid*> grids;
     for (const Bridge_side& side : sides_) sides.push_back(&side);
     for (const Bridge_grid& grid : grids_) grids.push_back(&grid);
-    const Bridge_cut cut = cut_strips(sharp_.mesh, sides, sharp_.curves);
+    Bridge_cut cut = cut_strips(sharp_.mesh, sides, sharp_.curves);
     if (cut.diagnosis.ok())
-      outcome = sew({&sharp_.mesh, sharp_.origins, sharp_.whole, true}, cut, grids, out);
+      outcome = sew({&sharp_.mesh, sharp_.origins, sharp_.whole, true}, cut, take_mesh(cut, sharp_.mesh), grids, out);
     else
       outcome.diagnosis = cut.diagnosis;
     for (const Bridge_grid& grid : grids_) outcome.bridges.push_back(report(grid, outcome.diagnosis));

@@ -160,7 +160,8 @@ Bridge_outcome Bridge_solver::build(Blend_mesh& out) const {
   const Stopwatch watch;
   if (!impl_->cut) impl_->cut = cut_spots(impl_->mesh, {&impl_->sides[0], &impl_->sides[1]});
   if (impl_->cut->diagnosis.ok())
-    outcome = sew({&impl_->mesh, {}, {}, bodies_may_cross(impl_->mesh)}, *impl_->cut, {&*impl_->grid}, out);
+    outcome = sew({&impl_->mesh, {}, {}, bodies_may_cross(impl_->mesh)}, *impl_->cut,
+                  take_mesh(*impl_->cut, impl_->mesh), {&*impl_->grid}, out);
   else
     outcome.diagnosis = impl_->cut->diagnosis;
   if (outcome.ok() && impl_->filled)

@@ -29,7 +29,7 @@ Blend_mesh sphere_cut_off(double height) {
   return mesh;
 }
 
-double radius_of(const Point_3& p) { return std::sqrt(CGAL::squared_distance(p, CGAL::ORIGIN)); }
+double radius_of(const Point_3& p) { return std::sqrt(CGAL::squared_distance(p, Point_3(0, 0, 0))); }
 
 TEST(Filled_mesh, goes_on_smoothly_behind_the_faces_of_the_input) {
   const Blend_mesh mesh = sphere_cut_off(0.9);
