@@ -3,6 +3,9 @@
 
 #include <cgal_blend/internal/copy_mesh.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -54,6 +57,59 @@ void add(Bridge_times& times, const Bridge_times& more) {
   times.validate += more.validate;
 }
 
+/// Bridges on a closed mesh, one after the other.
+Bridge_outcome bridge_closed(const Blend_mesh& mesh, const std::vector<Bridge>& bridges, Blend_mesh& out) {
+  Bridge_outcome whole;
+  Bridge_ancestry ancestry(mesh.number_of_faces());
+  Blend_mesh body;
+  for (std::size_t k = 0; k < bridges.size(); ++k) {
+    Blend_mesh next;
+    Bridge_outcome step = unchecked::bridge(k == 0 ? mesh : body, bridges[k].ends, next, bridges[k].options);
+    whole.bridges.insert(whole.bridges.end(), step.bridges.begin(), step.bridges.end());
+    add(whole.times, step.times);
+    if (!step.ok()) {
+      whole.diagnosis = std::move(step.diagnosis);
+      std::string& detail = whole.diagnosis.detail;
+      if (bridges.size() > 1) detail = "bridge " + std::to_string(k + 1) + (detail.empty() ? "" : ", " + detail);
+      out.clear();
+      return whole;
+    }
+    ancestry.advance(step, static_cast<std::uint32_t>(k));
+    whole.volume = step.volume;
+    whole.area = step.area;
+    body = std::move(next);
+  }
+  ancestry.describe(whole, bridges.size());
+  out = std::move(body);
+  return whole;
+}
+
+/// The same on a mesh with holes, which stand filled until all bridges are made.
+Bridge_outcome bridge_filled(const Blend_mesh& mesh, std::vector<Bridge> bridges, Blend_mesh& out) {
+  const Filled_mesh filled = fill_mesh(mesh);
+  Bridge_outcome whole;
+  whole.diagnosis = filled.diagnosis;
+  Blend_mesh result;
+  std::vector<Bridge_end> ends;
+  for (Bridge& bridge : bridges) {
+    bridge.options.fill_holes = false;
+    unchecked::move_spots_to_fillings(filled, bridge.ends);
+    ends.insert(ends.end(), bridge.ends.begin(), bridge.ends.end());
+  }
+  if (whole.ok()) whole = bridge_closed(filled.mesh, bridges, result);
+  if (whole.ok()) whole.diagnosis = unchecked::check_fillings(filled, whole.origins, ends);
+  if (!whole.ok()) {
+    Bridge_outcome refused;
+    refused.diagnosis = whole.diagnosis;
+    refused.bridges = whole.bridges;
+    refused.times = whole.times;
+    whole = std::move(refused);
+    result.clear();
+  }
+  out = std::move(result);
+  return whole;
+}
+
 }  // namespace
 
 namespace unchecked {
@@ -82,28 +138,8 @@ Bridge_outcome bridge_all(const Blend_mesh& mesh, const std::vector<Bridge>& bri
     whole.diagnosis = {Status::invalid_parameter, "there are no bridges", {}, {}};
     return whole;
   }
-  Bridge_ancestry ancestry(mesh.number_of_faces());
-  Blend_mesh body;
-  for (std::size_t k = 0; k < bridges.size(); ++k) {
-    Blend_mesh next;
-    Bridge_outcome step = bridge(k == 0 ? mesh : body, bridges[k].ends, next, bridges[k].options);
-    whole.bridges.insert(whole.bridges.end(), step.bridges.begin(), step.bridges.end());
-    add(whole.times, step.times);
-    if (!step.ok()) {
-      whole.diagnosis = std::move(step.diagnosis);
-      std::string& detail = whole.diagnosis.detail;
-      if (bridges.size() > 1) detail = "bridge " + std::to_string(k + 1) + (detail.empty() ? "" : ", " + detail);
-      out.clear();
-      return whole;
-    }
-    ancestry.advance(step, static_cast<std::uint32_t>(k));
-    whole.volume = step.volume;
-    whole.area = step.area;
-    body = std::move(next);
-  }
-  ancestry.describe(whole, bridges.size());
-  out = std::move(body);
-  return whole;
+  const bool fills = std::any_of(bridges.begin(), bridges.end(), [](const Bridge& b) { return b.options.fill_holes; });
+  return fills && !CGAL::is_closed(mesh) ? bridge_filled(mesh, bridges, out) : bridge_closed(mesh, bridges, out);
 }
 
 Blend_mesh put_together(const std::vector<const Blend_mesh*>& bodies) {

@@ -218,10 +218,22 @@ Bridge_cut cut_strips(const Blend_mesh& mesh, const std::vector<const Bridge_sid
   return cut;
 }
 
-Bridge_outcome sew(const Bridge_body& body, const Bridge_cut& cut, const std::vector<const Bridge_grid*>& bridges,
-                   Blend_mesh& out) {
+Blend_mesh take_mesh(Bridge_cut& cut, const Blend_mesh& uncut) {
+  if (!cut.mesh.is_empty()) return std::exchange(cut.mesh, Blend_mesh());
+  Blend_mesh mesh = uncut;
+  for (const Rim& rim : cut.rims)
+    for (std::size_t i = 0; i < rim.vertices.size(); ++i) {
+      if (rim.path.stations[i].kind == Station::Kind::vertex) continue;
+      const Vertex v = mesh.add_vertex(to_point(rim.path.stations[i].point));
+      CGAL_assertion(v == rim.vertices[i]);
+      CGAL_USE(v);
+    }
+  return mesh;
+}
+
+Bridge_outcome sew(const Bridge_body& body, const Bridge_cut& cut, Blend_mesh work,
+                   const std::vector<const Bridge_grid*>& bridges, Blend_mesh& out) {
   Bridge_outcome outcome;
-  Blend_mesh work = cut.mesh;
   std::vector<Triangle> triangles = cut.trimming.remnants;
   std::vector<std::size_t> last{triangles.size()};
   for (std::size_t k = 0; k < bridges.size(); ++k) {

@@ -13,7 +13,7 @@ namespace cgal_blend {
 /// A mesh cut along the contact curves of bridges, but not changed yet.
 struct Bridge_cut {
   Diagnosis diagnosis;    ///< `curve_crosses_itself`, `regions_overlap`; located
-  Blend_mesh mesh;        ///< with the rims' vertices
+  Blend_mesh mesh;        ///< with the rims' vertices; may be taken out, see `take_mesh`
   std::vector<Rim> rims;  ///< two per bridge, with their vertices
   Trimming trimming;
 };
@@ -33,9 +33,14 @@ struct Bridge_body {
   bool check_all = false;              ///< not only what is new has to be checked
 };
 
+/// Takes the mesh with the rims' vertices out of a cut, or makes it anew if it was taken out before: most cuts are sewn
+/// once, which saves a copy.
+[[nodiscard]] Blend_mesh take_mesh(Bridge_cut& cut, const Blend_mesh& uncut);
+
 /// Sews bridges in where the mesh was cut, and checks the result.
+/// \param work the mesh with the rims' vertices
 /// \param bridges in the order of the rims
-[[nodiscard]] Bridge_outcome sew(const Bridge_body& body, const Bridge_cut& cut,
+[[nodiscard]] Bridge_outcome sew(const Bridge_body& body, const Bridge_cut& cut, Blend_mesh work,
                                  const std::vector<const Bridge_grid*>& bridges, Blend_mesh& out);
 
 }  // namespace cgal_blend

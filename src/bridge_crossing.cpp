@@ -5,6 +5,8 @@
 #include "bridge_union.h"
 #include "stopwatch.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <algorithm>
 #include <deque>
 #include <utility>
@@ -48,9 +50,9 @@ class Crossing_bridges {
     std::vector<const Bridge_grid*> grids;
     for (const Bridge_side& side : sides_) sides.push_back(&side);
     for (const Bridge_grid& grid : grids_) grids.push_back(&grid);
-    const Bridge_cut cut = cut_strips(sharp_.mesh, sides, sharp_.curves);
+    Bridge_cut cut = cut_strips(sharp_.mesh, sides, sharp_.curves);
     if (cut.diagnosis.ok())
-      outcome = sew({&sharp_.mesh, sharp_.origins, sharp_.whole, true}, cut, grids, out);
+      outcome = sew({&sharp_.mesh, sharp_.origins, sharp_.whole, true}, cut, take_mesh(cut, sharp_.mesh), grids, out);
     else
       outcome.diagnosis = cut.diagnosis;
     for (const Bridge_grid& grid : grids_) outcome.bridges.push_back(report(grid, outcome.diagnosis));
@@ -117,6 +119,33 @@ Bridge_outcome bridge_crossing(const Blend_mesh& a, const Blend_mesh& b, const s
   return Crossing_bridges(sharp, ends, options).run(out);
 }
 
+/// The same for bodies with holes, whose fillings must go as well.
+Bridge_outcome bridge_filled(const Blend_mesh& a, const Blend_mesh& b, const std::array<Bridge_end, 2>& ends,
+                             Blend_mesh& out, const Bridge_options& options) {
+  const std::array<Filled_mesh, 2> filled{fill_mesh(a), fill_mesh(b)};
+  Bridge_outcome outcome;
+  outcome.diagnosis = filled[0].diagnosis.ok() ? filled[1].diagnosis : filled[0].diagnosis;
+  if (outcome.ok()) outcome = bridge_crossing(filled[0].mesh, filled[1].mesh, ends, out, options);
+  if (!outcome.ok()) return outcome;
+  const std::size_t before = filled[0].mesh.number_of_faces(), moved = before - filled[0].own_faces;
+  std::array<std::vector<std::uint32_t>, 2> origins;
+  for (std::uint32_t& origin : outcome.origins) {
+    if (origin == no_origin) continue;
+    const bool second = origin >= before;
+    origins[second ? 1 : 0].push_back(second ? origin - static_cast<std::uint32_t>(before) : origin);
+    if (second) origin -= static_cast<std::uint32_t>(moved);
+  }
+  for (const std::size_t k : {0, 1}) {
+    Diagnosis left = unchecked::check_fillings(filled[k], origins[k], {});
+    if (left.ok()) continue;
+    outcome = {};
+    outcome.diagnosis = std::move(left);
+    out.clear();
+    break;
+  }
+  return outcome;
+}
+
 }  // namespace
 
 namespace unchecked {
@@ -124,7 +153,9 @@ namespace unchecked {
 Bridge_outcome bridge_intersection(const Blend_mesh& a, const Blend_mesh& b, const std::array<Bridge_end, 2>& ends,
                                    Blend_mesh& out, const Bridge_options& options) {
   Blend_mesh result;  // `out` may be an operand
-  Bridge_outcome outcome = bridge_crossing(a, b, ends, result, options);
+  const bool fills = options.fill_holes && !(CGAL::is_closed(a) && CGAL::is_closed(b));
+  Bridge_outcome outcome =
+      fills ? bridge_filled(a, b, ends, result, options) : bridge_crossing(a, b, ends, result, options);
   for (Bridge_report& report : outcome.bridges) report.lambda = {ends[0].lambda, ends[1].lambda};
   out = std::move(result);
   return outcome;

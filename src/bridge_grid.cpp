@@ -30,7 +30,25 @@ Bridge_grid::Bridge_grid(const std::array<const Bridge_side*, 2>& sides, double 
 
 Bridge_column Bridge_grid::column(double s) const {
   s -= std::floor(s);
-  return {{sides_[0]->ray(s), sides_[1]->ray(opposite_parameter(s, turn_))}};
+  const Bridge_ray* first = ray_before(s);
+  return {{first ? *first : sides_[0]->ray(s), sides_[1]->ray(opposite_parameter(s, turn_))}};
+}
+
+const Bridge_ray* Bridge_grid::ray_before(double s) const {
+  const auto found = std::lower_bound(s_before_.begin(), s_before_.end(), s);
+  if (found == s_before_.end() || *found != s) return nullptr;
+  return &columns_before_[static_cast<std::size_t>(found - s_before_.begin())].ray[0];
+}
+
+void Bridge_grid::turn_to(double turn, const Bridge_shape& shape) {
+  turn_ = turn;
+  s_before_ = std::move(s_);
+  columns_before_ = std::move(columns_);
+  s_.clear();
+  columns_.clear();
+  choose_columns(shape);
+  t_.clear();
+  evaluate(shape);
 }
 
 Bridge_grid::Between Bridge_grid::between_columns(double s) const {

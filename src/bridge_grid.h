@@ -17,6 +17,9 @@ class Bridge_grid {
   Bridge_grid(const std::array<const Bridge_side*, 2>& sides, double turn, const Bridge_shape& shape,
               const Bridge_options& options);
 
+  /// Turns the second end; rays of the first end that are needed again are kept.
+  void turn_to(double turn, const Bridge_shape& shape);
+
   /// Evaluates all points, on rows that are chosen anew if the tolerance decides.
   void evaluate(const Bridge_shape& shape);
 
@@ -42,6 +45,7 @@ class Bridge_grid {
 
  private:
   void choose_columns(const Bridge_shape& shape);
+  [[nodiscard]] const Bridge_ray* ray_before(double s) const;
   void choose_rows(const Bridge_shape& shape);
   [[nodiscard]] bool fine_enough(double from, double to, const Bridge_shape& shape) const;
 
@@ -50,6 +54,8 @@ class Bridge_grid {
   std::size_t segments_, rows_;  // asked for; 0: by the tolerance
   std::vector<double> s_, t_;
   std::vector<Bridge_column> columns_;
+  std::vector<double> s_before_;  // before the last turn, with the first end's rays
+  std::vector<Bridge_column> columns_before_;
   std::vector<Point_3> points_;
   Bridge_shape shape_;  // of the points
 };

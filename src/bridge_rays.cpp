@@ -75,7 +75,7 @@ std::optional<Vec> Ray_lifter::lifted(const Polar_point& at) const {
 
 Bridge_ray Ray_lifter::ray(const Polar_point& contact, const Vec& place) const {
   const auto steps = static_cast<std::size_t>(
-      std::clamp(std::ceil(contact.distance / facet_), double(fewest_steps), double(most_steps)));
+      std::clamp(std::ceil(contact.distance / step_), double(fewest_steps), double(most_steps)));
   std::vector<Vec> knots;
   Vec last = place;
   for (std::size_t i = steps + 1; i-- > 0;) {

@@ -37,10 +37,11 @@ class Bridge_ray {
 class Ray_lifter {
  public:
   /// \param surface, polar of the same mesh; live as long as the lifter
-  Ray_lifter(const Base_surface& surface, const Geodesic_polar& polar, double facet)
-      : surface_(surface), polar_(polar), facet_(facet) {}
+  /// \param step distance of knots, length units
+  Ray_lifter(const Base_surface& surface, const Geodesic_polar& polar, double step)
+      : surface_(surface), polar_(polar), step_(step) {}
 
-  /// The ray from the source to a contact point; knots lie about a facet apart.
+  /// The ray from the source to a contact point; knots lie about a step apart.
   /// \param place of the contact, on the facets
   [[nodiscard]] Bridge_ray ray(const Polar_point& contact, const Vec& place) const;
 
@@ -52,7 +53,7 @@ class Ray_lifter {
  private:
   const Base_surface& surface_;
   const Geodesic_polar& polar_;
-  double facet_;  // mean edge length within the region
+  double step_;
 };
 
 }  // namespace cgal_blend

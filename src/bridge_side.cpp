@@ -19,6 +19,7 @@ namespace {
 constexpr double snap_of_size = 1e-4;      // stations so near to a vertex or an edge are moved there
 constexpr double reach = 1 + 1e-4;         // of the coordinates, over the largest distance on the curve
 constexpr std::size_t fewest_points = 32;  // of a contact curve
+constexpr double knot_spacing = 0.5;       // over the chord of a circle of the contact's size with the tolerance
 constexpr int most_halvings = 6;
 constexpr std::size_t most_facets = 4096;  // along and around
 constexpr int most_repairs = 8;            // of a polyline that does not arrive, by more points
@@ -138,7 +139,8 @@ void finish_side(Bridge_side& side, const Bridge_options& options) {
     side.diagnosis.status = Status::radius_exceeds_cut_locus;
     return;
   }
-  side.facet = mean_edge(side);
+  // Nearer than facets, knots tell nothing more; nor do they far below the length of chords within the tolerance.
+  side.step = std::max(mean_edge(side), knot_spacing * std::sqrt(8 * options.chord_tolerance) * side.size);
   side.diagnosis = lay_rim(side, options);
 }
 

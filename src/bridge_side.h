@@ -19,12 +19,12 @@ struct Bridge_side {
   const Base_surface* surface = nullptr;
   std::unique_ptr<Geodesic_polar> polar;
   Polar_curve curve;
-  double size = 0;   ///< largest distance of the contact curve from the source, length units
-  double facet = 0;  ///< mean edge length along the contact curve
+  double size = 0;  ///< largest distance of the contact curve from the source, length units
+  double step = 0;  ///< distance of the knots on rays, length units
   Rim rim;
   std::vector<double> parameters;  ///< of the curve, per station of the rim, in [0, 1)
 
-  [[nodiscard]] Ray_lifter lifter() const { return {*surface, *polar, facet}; }
+  [[nodiscard]] Ray_lifter lifter() const { return {*surface, *polar, step}; }
 
   [[nodiscard]] Vec contact(double s) const;
   [[nodiscard]] Bridge_ray ray(double s) const { return lifter().ray(curve(s), contact(s)); }

@@ -5,6 +5,8 @@
 #include "bridge_assembly.h"
 #include "stopwatch.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <cmath>
 #include <utility>
 
@@ -24,10 +26,16 @@ std::vector<Vec> sampled(const Bridge_side& side) {
 }  // namespace
 
 struct Bridge_solver::Impl {
-  Impl(const Blend_mesh& mesh, const std::array<Bridge_end, 2>& ends, const Bridge_options& options)
-      : mesh(mesh), options(options), surface(mesh, surface_options(options)) {
+  Impl(const Blend_mesh& input, const std::array<Bridge_end, 2>& given, const Bridge_options& options)
+      : filled(filled_if(input, options)),
+        mesh(filled ? filled->mesh : input),
+        ends(given),
+        options(options),
+        surface(mesh, surface_options(options)) {
     const Stopwatch watch;
     diagnosis = check_options(ends, options);
+    if (diagnosis.ok() && filled) diagnosis = filled->diagnosis;
+    if (diagnosis.ok() && filled) unchecked::move_spots_to_fillings(*filled, ends);
     for (std::size_t k = 0; k < 2 && diagnosis.ok(); ++k) {
       sides[k] = make_side(surface, ends[k], options);
       diagnosis = sides[k].diagnosis;
@@ -40,6 +48,11 @@ struct Bridge_solver::Impl {
       make_grid();
     }
     parametrize = watch.milliseconds();
+  }
+
+  static std::optional<Filled_mesh> filled_if(const Blend_mesh& mesh, const Bridge_options& options) {
+    if (!options.fill_holes || CGAL::is_closed(mesh)) return std::nullopt;
+    return fill_mesh(mesh);
   }
 
   static Base_surface::Options surface_options(const Bridge_options& options) {
@@ -67,7 +80,9 @@ struct Bridge_solver::Impl {
     return result;
   }
 
+  std::optional<Filled_mesh> filled;  // if the input has holes
   const Blend_mesh& mesh;
+  std::array<Bridge_end, 2> ends;
   Bridge_options options;
   Base_surface surface;
   Diagnosis diagnosis;
@@ -116,7 +131,7 @@ bool Bridge_solver::set_order(int order) {
 bool Bridge_solver::set_twist(double degrees) {
   if (!std::isfinite(degrees)) return false;
   impl_->options.twist_deg = degrees;
-  impl_->make_grid();
+  impl_->grid->turn_to(impl_->turn(), impl_->shape);
   return true;
 }
 
@@ -145,9 +160,17 @@ Bridge_outcome Bridge_solver::build(Blend_mesh& out) const {
   const Stopwatch watch;
   if (!impl_->cut) impl_->cut = cut_spots(impl_->mesh, {&impl_->sides[0], &impl_->sides[1]});
   if (impl_->cut->diagnosis.ok())
-    outcome = sew({&impl_->mesh, {}, {}, bodies_may_cross(impl_->mesh)}, *impl_->cut, {&*impl_->grid}, out);
+    outcome = sew({&impl_->mesh, {}, {}, bodies_may_cross(impl_->mesh)}, *impl_->cut,
+                  take_mesh(*impl_->cut, impl_->mesh), {&*impl_->grid}, out);
   else
     outcome.diagnosis = impl_->cut->diagnosis;
+  if (outcome.ok() && impl_->filled)
+    if (Diagnosis left = unchecked::check_fillings(*impl_->filled, outcome.origins, {impl_->ends[0], impl_->ends[1]});
+        !left.ok()) {
+      outcome = {};
+      outcome.diagnosis = std::move(left);
+      out.clear();
+    }
   outcome.bridges.push_back(impl_->report());
   outcome.bridges.back().diagnosis = outcome.diagnosis;
   outcome.times.trim = watch.milliseconds() - outcome.times.validate;

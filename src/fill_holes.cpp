@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill_holes.h"
 
-#include <CGAL/Eigen_solver_traits.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <Eigen/SparseLU>
+#include "hole_surroundings.h"
 
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -16,69 +13,6 @@
 namespace cgal_blend {
 
 namespace {
-
-namespace PMP = CGAL::Polygon_mesh_processing;
-
-constexpr int rings_around = 3;  // of faces; fairing with continuous tangents looks at two
-
-/// The faces around a hole, as a mesh of their own.
-class Surroundings {
- public:
-  Surroundings(const Blend_mesh& mesh, Halfedge hole) : mesh_(mesh) {
-    std::vector<Vertex> front;
-    for (const Halfedge h : mesh.halfedges_around_face(hole)) front.push_back(mesh.target(h));
-    for (int ring = 0; ring < rings_around; ++ring) front = add_faces_at(front);
-  }
-
-  /// Fills the hole; returns the new faces, none if that fails.
-  [[nodiscard]] std::vector<Face> fill(Halfedge hole) {
-    std::vector<Face> faces;
-    if (failed_) return faces;
-    const Halfedge h = copy_.halfedge(vertex_at(mesh_.source(hole)), vertex_at(mesh_.target(hole)));
-    if (h == Blend_mesh::null_halfedge() || !copy_.is_border(h)) return faces;
-    using Solver = CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
-    std::vector<Vertex> vertices;
-    PMP::triangulate_refine_and_fair_hole(copy_, h, std::back_inserter(faces), std::back_inserter(vertices),
-                                          PMP::parameters::sparse_linear_solver(Solver()));
-    return faces;
-  }
-
-  [[nodiscard]] const Blend_mesh& copy() const { return copy_; }
-  /// The vertex of the mesh that one of the copy stands for; null for one of the filling.
-  [[nodiscard]] Vertex original(Vertex v) const { return v.idx() < originals_.size() ? originals_[v.idx()] : Vertex(); }
-
- private:
-  Vertex vertex_at(Vertex v) {
-    const auto [found, is_new] = copies_.emplace(v, Vertex());
-    if (is_new) {
-      found->second = copy_.add_vertex(mesh_.point(v));
-      originals_.push_back(v);
-    }
-    return found->second;
-  }
-
-  std::vector<Vertex> add_faces_at(const std::vector<Vertex>& front) {
-    std::vector<Vertex> reached;
-    for (const Vertex v : front)
-      for (const Face f : mesh_.faces_around_target(mesh_.halfedge(v))) {
-        if (f == Blend_mesh::null_face() || !faces_.insert(f).second) continue;
-        std::vector<Vertex> corners;
-        for (const Vertex w : mesh_.vertices_around_face(mesh_.halfedge(f))) {
-          corners.push_back(vertex_at(w));
-          reached.push_back(w);
-        }
-        failed_ = failed_ || copy_.add_face(corners) == Blend_mesh::null_face();
-      }
-    return reached;
-  }
-
-  const Blend_mesh& mesh_;
-  Blend_mesh copy_;
-  std::unordered_map<Vertex, Vertex> copies_;
-  std::vector<Vertex> originals_;
-  std::unordered_set<Face> faces_;
-  bool failed_ = false;
-};
 
 using Directed_edge = std::pair<std::int32_t, std::int32_t>;
 using Open_edges = std::map<Directed_edge, std::pair<std::int32_t, int>>;  // triangle and slot by ends
@@ -109,8 +43,8 @@ Open_edges border_edges(const Region_mesh& region) {
 
 void fill_hole(Region_mesh& region, Halfedge hole) {
   const Blend_mesh& mesh = region.mesh();
-  Surroundings around(mesh, hole);
-  const std::vector<Face> filling = around.fill(hole);
+  Hole_surroundings around(mesh, hole);
+  const std::vector<Face> filling = around.fill();
   if (filling.empty()) return;
   std::unordered_set<Vertex> rim;
   for (const Halfedge h : mesh.halfedges_around_face(hole)) rim.insert(mesh.target(h));

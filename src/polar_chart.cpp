@@ -18,6 +18,12 @@ double distance_of(const Kernel::Point_2& p, const Kernel::Point_2& q) {
   return std::hypot(p.x() + s * ex, p.y() + s * ey);
 }
 
+/// Outside of the box around a triangle: by comparisons only, cheaper than orientations.
+bool is_beside(const Kernel::Point_2& p, const Kernel::Point_2& a, const Kernel::Point_2& b, const Kernel::Point_2& c) {
+  return p.x() < std::min({a.x(), b.x(), c.x()}) || p.x() > std::max({a.x(), b.x(), c.x()}) ||
+         p.y() < std::min({a.y(), b.y(), c.y()}) || p.y() > std::max({a.y(), b.y(), c.y()});
+}
+
 }  // namespace
 
 double thin_height(Chart_kind kind, double radius) {
@@ -133,18 +139,27 @@ Polar_point Polar_chart::at(const Region_mesh::Place& place) const {
 
 /// Column and row of a place; columns of a band are not wrapped.
 std::array<int, 2> Polar_chart::cell(const Point& p) const {
-  const auto at = [&](double share) { return static_cast<int>(std::floor(share * cells_)); };
+  const auto at = [&](double share) {  // rounds down, without the call that std::floor is
+    const double x = share * cells_;
+    const int towards_zero = static_cast<int>(x);
+    return towards_zero - (x < towards_zero ? 1 : 0);
+  };
   const auto inside = [&](int i) { return std::clamp(i, 0, cells_ - 1); };
   if (kind_ == Chart_kind::band) return {at(p.x() / (2 * pi)), inside(at(p.y() / limit_))};
   return {inside(at((p.x() / limit_ + 1) / 2)), inside(at((p.y() / limit_ + 1) / 2))};
 }
 
-/// The cells that the box around a triangle meets.
-template <class Visitor>
-void Polar_chart::for_cells(std::int32_t triangle, const Visitor& visit) const {
+/// First and last columns and rows of the cells that the box around a triangle meets.
+std::array<int, 4> Polar_chart::cells_around(std::int32_t triangle) const {
   const auto [a, b, c] = corners(triangle);
   const auto [x0, y0] = cell({std::min({a.x(), b.x(), c.x()}), std::min({a.y(), b.y(), c.y()})});
   const auto [x1, y1] = cell({std::max({a.x(), b.x(), c.x()}), std::max({a.y(), b.y(), c.y()})});
+  return {x0, x1, y0, y1};
+}
+
+template <class Visitor>
+void Polar_chart::for_cells(const std::array<int, 4>& around, const Visitor& visit) const {
+  const auto [x0, x1, y0, y1] = around;
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) visit(static_cast<std::size_t>(y) * cells_ + (x + cells_) % cells_);
 }
@@ -153,13 +168,17 @@ void Polar_chart::index() {
   const auto count = static_cast<std::int32_t>(used_.size());
   cells_ = std::max(1, static_cast<int>(std::sqrt(0.5 * count)));
   cell_begin_.assign(static_cast<std::size_t>(cells_) * cells_ + 1, 0);
-  for (std::int32_t t = 0; t < count; ++t)
-    if (used_[t]) for_cells(t, [&](std::size_t c) { ++cell_begin_[c]; });
+  std::vector<std::array<int, 4>> around(count);
+  for (std::int32_t t = 0; t < count; ++t) {
+    if (!used_[t]) continue;
+    around[t] = cells_around(t);
+    for_cells(around[t], [&](std::size_t c) { ++cell_begin_[c]; });
+  }
   std::int32_t sum = 0;
   for (std::int32_t& begin : cell_begin_) begin = sum += begin;
   cell_triangles_.resize(sum);
   for (std::int32_t t = count; t-- > 0;)
-    if (used_[t]) for_cells(t, [&](std::size_t c) { cell_triangles_[--cell_begin_[c]] = t; });
+    if (used_[t]) for_cells(around[t], [&](std::size_t c) { cell_triangles_[--cell_begin_[c]] = t; });
 }
 
 /// Strictly inside or on an edge by exact predicates. In a band corners and places are rounded where they are moved by a
@@ -177,6 +196,7 @@ std::optional<Region_mesh::Place> Polar_chart::locate(const Polar_point& at) con
     const std::int32_t t = cell_triangles_[i];
     const auto [a, b, d] = corners(t);
     const Point p = is_band ? Point(a.x() + turn(a.x(), place.x()), place.y()) : place;
+    if (!is_band && is_beside(p, a, b, d)) continue;
     const bool inside = CGAL::orientation(a, b, p) != CGAL::RIGHT_TURN &&
                         CGAL::orientation(b, d, p) != CGAL::RIGHT_TURN &&
                         CGAL::orientation(d, a, p) != CGAL::RIGHT_TURN;

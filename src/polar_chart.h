@@ -54,8 +54,9 @@ class Polar_chart {
   void find_rim();
   [[nodiscard]] bool is_upright_in_band(std::int32_t triangle) const;
   [[nodiscard]] std::array<Point, 3> corners(std::int32_t triangle) const;
+  [[nodiscard]] std::array<int, 4> cells_around(std::int32_t triangle) const;
   template <class Visitor>
-  void for_cells(std::int32_t triangle, const Visitor& visit) const;
+  void for_cells(const std::array<int, 4>& around, const Visitor& visit) const;
   [[nodiscard]] std::array<int, 2> cell(const Point& p) const;
 
   const Region_mesh& region_;

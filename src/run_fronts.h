@@ -5,7 +5,6 @@
 #include "geodesic_field.h"
 
 #include <cstdint>
-#include <functional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -24,7 +23,8 @@ inline constexpr int most_visits = 1000;
 template <class Step>
 void run_fronts(const Region_mesh& region, double limit, Geodesic_field& field, const Step& step) {
   using Entry = std::pair<double, std::int32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto farther = [](const Entry& a, const Entry& b) { return a.first > b.first; };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(farther)> queue(farther);
   std::vector<int> visits(field.at.size(), 0);
   for (const std::int32_t v : field.seeds) queue.emplace(field.at[v].distance, v);
   while (!queue.empty() && queue.top().first <= limit) {

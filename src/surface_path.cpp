@@ -263,12 +263,14 @@ std::optional<Surface_path> closed_path(const Base_surface& surface, const std::
                                         double snap, std::size_t& stuck, bool cross_creases) {
   const Path_builder builder(surface, {snap, cross_creases});
   std::vector<Draft> given, drafts;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    given.push_back(builder.snapped(draft_at(surface, points[i], i)));
+  for (std::size_t i = 0; i < points.size(); ++i) given.push_back(builder.snapped(draft_at(surface, points[i], i)));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t next = (i + 1) % points.size();
     drafts.push_back(given[i]);
-    if (!builder.trace(given[i], given[next], surface.normal(points[i]) + surface.normal(points[next]), drafts)) {
+    // Along a sharp edge all faces may lie on the side of the plane where its own points count: then the other way round.
+    const Vec normal = surface.normal(points[i]) + surface.normal(points[next]);
+    if (!builder.trace(given[i], given[next], normal, drafts) &&
+        !(cross_creases && builder.trace(given[i], given[next], -normal, drafts))) {
       stuck = next;
       return std::nullopt;
     }

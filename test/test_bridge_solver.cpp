@@ -93,6 +93,8 @@ TEST_F(Solver, comes_to_the_same_shape_by_changes) {
   ASSERT_TRUE(made.build(b).ok());
   EXPECT_TRUE(identical(a, b));
   EXPECT_TRUE(validate(a).ok());
+  ASSERT_TRUE(made.build(b).ok());  // on the cut of before
+  EXPECT_TRUE(identical(a, b));
 }
 
 TEST_F(Solver, leaves_values_out_of_range_alone) {

@@ -7,6 +7,8 @@
 #include <cgal_blend/mesh_io.h>
 #include <cgal_blend/validate.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,6 +71,36 @@ TEST_F(Cli_bridge, joins_two_bodies_with_a_report_and_labels) {
   EXPECT_EQ(report["output"]["blend_faces"], bridge["faces"]);
   EXPECT_EQ(lines.front(), "body A");
   EXPECT_GT(std::count(lines.begin(), lines.end(), "body B"), 100);
+}
+
+TEST_F(Cli_bridge, lets_scenes_say_all_about_their_bridges) {
+  write("one.json", R"({"bodies": {"a": {"file": "a.off"}, "b": {"file": "b.off"}},
+    "bridges": [{"ends": [{"at": [0, 0, 1], "radius": 0.6}, {"at": [0, 0, 1.8], "radius": 0.5}]}]})");
+  EXPECT_EQ(run("bridge --scene one.json -o out.off").exit, 0);
+  for (const char* ignored : {"--cross", "--at-a 0,0,1", "--radius-b 2", "--mu 0.2", "--twist 3", "--drag 0,0.5:0,0,1"})
+    EXPECT_EQ(run(std::string("bridge --scene one.json -o out.off ") + ignored).exit, 2) << ignored;
+}
+
+TEST_F(Cli_bridge, takes_holes_away_on_demand) {
+  Blend_mesh mesh = sphere(1, 3);
+  for (const Vertex v : std::vector<Vertex>(mesh.vertices().begin(), mesh.vertices().end()))
+    if (mesh.point(v).z() > 0.999) CGAL::Euler::remove_center_vertex(mesh.halfedge(v), mesh);
+  for (const Face f : std::vector<Face>(mesh.faces().begin(), mesh.faces().end()))
+    if (mesh.degree(f) > 3) CGAL::Euler::make_hole(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+  ASSERT_FALSE(CGAL::is_closed(mesh));
+  write_mesh(path("open.off"), mesh);
+  const Run refused = run("bridge open.off b.off" + ends + "-o refused.off");
+  EXPECT_EQ(refused.exit, 3);
+  EXPECT_NE(refused.err.find("--fill-holes"), std::string::npos) << refused.err;
+  EXPECT_EQ(euler(result_of("open.off b.off --fill-holes --labels l.txt" + ends)), 2);
+  std::istringstream labels(bytes("l.txt"));
+  for (std::string line; std::getline(labels, line);)
+    EXPECT_TRUE(line == "body A" || line == "body B" || line == "bridge 1") << line;
+  const Run missed =
+      run("bridge open.off b.off --fill-holes --at-a 0,0,1 --at-b 0,0,1.8 --radius-a 0.05 --radius-b 0.3 -o m.off");
+  EXPECT_EQ(missed.exit, 4);
+  EXPECT_NE(missed.err.find("would take it away"), std::string::npos) << missed.err;
 }
 
 TEST_F(Cli_bridge, places_the_second_body) {

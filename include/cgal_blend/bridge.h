@@ -4,6 +4,7 @@
 
 #include <cgal_blend/blend_mesh.h>
 #include <cgal_blend/face_origin.h>
+#include <cgal_blend/filled_mesh.h>
 #include <cgal_blend/polar_curve.h>
 #include <cgal_blend/status.h>
 
@@ -42,6 +43,9 @@ struct Bridge_options {
   std::size_t segments = 0;  ///< around the bridge, 3 to 4096; 0: by the tolerance
   std::size_t rows = 0;      ///< of facets along the bridge, 2 to 4096; 0: by the tolerance
   double smooth_angle = 40;  ///< edges above it are sharp: normals are not averaged across, degrees in (0, 180)
+  /// Meshes may have holes, as long as each lies within a contact curve of a bridge; fillings stand in for them meanwhile.
+  /// Spots may lie within the openings. False: meshes must be closed.
+  bool fill_holes = false;
   /// Called with a fraction in [0,1] from time to time; return false to cancel.
   std::function<bool(double)> progress;
 };
@@ -98,7 +102,7 @@ inline constexpr double drag_tolerance = 1e-6;
 /// evaluates the bridge's surface only.
 class Bridge_solver {
  public:
-  /// \param mesh closed, 2-manifold, outward oriented; lives as long as the solver
+  /// \param mesh closed unless `fill_holes`, 2-manifold, outward oriented; lives as long as the solver
   Bridge_solver(const Blend_mesh& mesh, const std::array<Bridge_end, 2>& ends, const Bridge_options& options = {});
   ~Bridge_solver();
   Bridge_solver(Bridge_solver&&) noexcept;
@@ -139,7 +143,7 @@ namespace unchecked {
 
 /// Joins two spots of a mesh by a smooth tube, B(s, t) = f(t) S_1(s, t) + (1 - f(t)) S_2(s, t): S_i runs along geodesic rays
 /// from the contact curve of end i to the inner curve, and f is Hartmann's function of parameter mu and order n.
-/// \param mesh closed, 2-manifold, outward oriented; of one body or several. Two spots of one body give a handle. Bodies
+/// \param mesh closed unless `fill_holes`, 2-manifold, outward oriented; of one body or several. Two spots of one body give a handle. Bodies
 ///        may cross each other if the bridge takes all of the crossing away, which is checked
 /// \param out receives the result: kept vertices and faces come first, in their order
 /// Refuses by name in the outcome; never throws for bad data, never changes `mesh`.
@@ -149,7 +153,7 @@ namespace unchecked {
                                     const Bridge_options& options = {});
 
 /// Makes bridges one after the other, each on the mesh that those before left. If one is refused, so is the whole; the
-/// detail of the diagnosis begins with its number, from 1.
+/// detail of the diagnosis begins with its number, from 1. Holes are filled at the start if any bridge has `fill_holes`.
 [[nodiscard]] Bridge_outcome bridge_all(const Blend_mesh& mesh, const std::vector<Bridge>& bridges, Blend_mesh& out);
 
 /// Unites two bodies that cross and replaces the surroundings of each closed intersection curve by a bridge.
@@ -160,6 +164,16 @@ namespace unchecked {
 [[nodiscard]] Bridge_outcome bridge_intersection(const Blend_mesh& a, const Blend_mesh& b,
                                                  const std::array<Bridge_end, 2>& ends, Blend_mesh& out,
                                                  const Bridge_options& options = {});
+
+/// Moves spots that lie within openings onto the fillings there. For bridges made one by one on a filled mesh.
+void move_spots_to_fillings(const Filled_mesh& filled, std::array<Bridge_end, 2>& ends);
+
+/// Says `region_meets_border` if part of a filling is left, with its hole, and, where that can be told, with the radius that
+/// would take it away.
+/// \param origins per face: that of the filled mesh that it is, or is a part of, or `no_origin`
+/// \param ends of the bridges made on the filled mesh
+[[nodiscard]] Diagnosis check_fillings(const Filled_mesh& filled, const std::vector<std::uint32_t>& origins,
+                                       const std::vector<Bridge_end>& ends);
 
 /// Puts bodies side by side into one mesh; vertices and faces of the first come first.
 [[nodiscard]] Blend_mesh put_together(const std::vector<const Blend_mesh*>& bodies);

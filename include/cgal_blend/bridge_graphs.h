@@ -4,7 +4,6 @@
 
 #include <cgal_blend/bridge.h>
 #include <cgal_blend/internal/copy_mesh.h>
-#include <cgal_blend/validate.h>
 
 #include <string>
 #include <utility>
@@ -32,9 +31,9 @@ struct Bridge_result {
 
 namespace internal {
 
-inline Diagnosis check_bridge_input(const Blend_mesh& mesh, const char* which) {
-  Validity_report report = validate(mesh);
-  Diagnosis diagnosis = std::move(report.diagnosis);
+inline Diagnosis check_bridge_input(const Blend_mesh& mesh, const char* which, const Bridge_options& options) {
+  Diagnosis diagnosis =
+      check_but_for_holes(mesh, options.fill_holes, "; Bridge_options::fill_holes accepts holes within contact curves");
   if (!diagnosis.ok() && *which != '\0')
     diagnosis.detail = diagnosis.detail.empty() ? which : which + (": " + diagnosis.detail);
   return diagnosis;
@@ -69,7 +68,7 @@ Bridge_result<Graph> hand_out_bridge(const Bridge_outcome& outcome, const Blend_
 /// Joins two spots of a mesh by a smooth tube; see the engine in `unchecked`.
 /// \tparam Graph, Output models of `MutableFaceGraph` and `FaceListGraph` with points of any Cartesian kernel;
 ///         exact coordinates are rounded to double
-/// \param mesh a triangle mesh of one body or several, checked by `validate`
+/// \param mesh a triangle mesh of one body or several, checked by `validate`, but for holes if these are to be filled
 /// \param out receives the result; may be `mesh`; not touched if the bridge is refused
 /// \param np_mesh, np_out `CGAL::parameters::vertex_point_map` of the meshes
 template <class Graph, class Output, class Named_parameters_mesh = CGAL::parameters::Default_named_parameters,
@@ -79,7 +78,7 @@ template <class Graph, class Output, class Named_parameters_mesh = CGAL::paramet
                                            const Named_parameters_mesh& np_mesh = CGAL::parameters::default_values(),
                                            const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
   const internal::Mesh_copy<Graph> copy(mesh, np_mesh);
-  if (Diagnosis bad = internal::check_bridge_input(copy.mesh(), ""); !bad.ok())
+  if (Diagnosis bad = internal::check_bridge_input(copy.mesh(), "", options); !bad.ok())
     return internal::refused_bridge<Output>(std::move(bad));
   Blend_mesh result;
   const Bridge_outcome outcome = unchecked::bridge(copy.mesh(), ends, result, options);
@@ -99,9 +98,9 @@ template <class Graph_a, class Graph_b, class Output,
     const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
   const internal::Mesh_copy<Graph_a> copy_a(a, np_a);
   const internal::Mesh_copy<Graph_b> copy_b(b, np_b);
-  if (Diagnosis bad = internal::check_bridge_input(copy_a.mesh(), "first body"); !bad.ok())
+  if (Diagnosis bad = internal::check_bridge_input(copy_a.mesh(), "first body", options); !bad.ok())
     return internal::refused_bridge<Output>(std::move(bad));
-  if (Diagnosis bad = internal::check_bridge_input(copy_b.mesh(), "second body"); !bad.ok())
+  if (Diagnosis bad = internal::check_bridge_input(copy_b.mesh(), "second body", options); !bad.ok())
     return internal::refused_bridge<Output>(std::move(bad));
   Blend_mesh result;
   const Bridge_outcome outcome =
@@ -121,9 +120,9 @@ template <class Graph_a, class Graph_b, class Output,
     const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
   const internal::Mesh_copy<Graph_a> copy_a(a, np_a);
   const internal::Mesh_copy<Graph_b> copy_b(b, np_b);
-  if (Diagnosis bad = internal::check_bridge_input(copy_a.mesh(), "first body"); !bad.ok())
+  if (Diagnosis bad = internal::check_bridge_input(copy_a.mesh(), "first body", options); !bad.ok())
     return internal::refused_bridge<Output>(std::move(bad));
-  if (Diagnosis bad = internal::check_bridge_input(copy_b.mesh(), "second body"); !bad.ok())
+  if (Diagnosis bad = internal::check_bridge_input(copy_b.mesh(), "second body", options); !bad.ok())
     return internal::refused_bridge<Output>(std::move(bad));
   Blend_mesh result;
   const Bridge_outcome outcome = unchecked::bridge_intersection(copy_a.mesh(), copy_b.mesh(), ends, result, options);

@@ -7,8 +7,8 @@
 #include "paths.h"
 #include "values.h"
 
+#include <cgal_blend/filled_mesh.h>
 #include <cgal_blend/mesh_io.h>
-#include <cgal_blend/validate.h>
 
 #include <algorithm>
 #include <array>
@@ -28,6 +28,7 @@ struct End_texts {
 
 struct Command_options {
   std::string a, b, scene, labels;
+  std::string shape_option;  // any one of those given that scenes have entries for
   std::optional<std::string> transform, drag;
   std::array<End_texts, 2> ends;
   bool cross = false;
@@ -104,6 +105,19 @@ Bridge_step read_step(const Command_options& options) {
   return step;
 }
 
+void check_body(const Blend_mesh& body, bool holes_allowed, const std::string& name) {
+  const Diagnosis bad = check_but_for_holes(body, holes_allowed, "; --fill-holes accepts holes within contact curves");
+  if (!bad.ok()) throw Failure(bad, name);
+}
+
+Blend_mesh read_body(const std::string& path, const Command_options& options, Json& entry, Report& report,
+                     const Transform& placement = {}) {
+  Blend_mesh mesh = read_placed(path, entry, report, placement);
+  const Timer timer(report.check_input);
+  check_body(mesh, options.bridge.fill_holes, in_quotes(path));
+  return mesh;
+}
+
 Bridge_scene read_bodies(const Command_options& options, Report& report) {
   Bridge_scene scene;
   scene.steps.push_back(read_step(options));
@@ -111,16 +125,18 @@ Bridge_scene read_bodies(const Command_options& options, Report& report) {
   Transform placement;
   if (options.transform) placement = parse_transform(*options.transform, "--transform-b");
   scene.names.emplace_back("A");
-  scene.bodies.push_back(read_operand(options.a, report.input, report));
+  scene.bodies.push_back(read_body(options.a, options, report.input, report));
   if (options.b.empty()) return scene;
   report.more_inputs.resize(1);
   scene.names.emplace_back("B");
-  scene.bodies.push_back(read_operand(options.b, report.more_inputs[0], report, placement));
+  scene.bodies.push_back(read_body(options.b, options, report.more_inputs[0], report, placement));
   return scene;
 }
 
 Bridge_scene read_scene_file(const Command_options& options, Report& report) {
   if (!options.a.empty()) throw usage_failure("--scene takes the place of A and B");
+  if (!options.shape_option.empty())
+    throw usage_failure("--scene: " + options.shape_option + " must be given in the scene file");
   report.input = {{"file", options.scene}};
   Bridge_scene scene;
   {
@@ -128,9 +144,9 @@ Bridge_scene read_scene_file(const Command_options& options, Report& report) {
     scene = read_bridge_scene(options.scene);
   }
   const Timer timer(report.check_input);
+  for (Bridge_step& step : scene.steps) step.bridge.options.fill_holes = options.bridge.fill_holes;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    if (const Validity_report validity = validate(scene.bodies[i]); !validity.ok())
-      throw Failure(validity.diagnosis, "body '" + scene.names[i] + "'");
+    check_body(scene.bodies[i], options.bridge.fill_holes, "body '" + scene.names[i] + "'");
   return scene;
 }
 
@@ -214,13 +230,19 @@ void add_bridge_command(CLI::App& app, int& exit_status) {
   command->add_option("--scene", options->scene, "Bodies and bridges, as JSON, instead of A and B")->type_name("JSON");
   command->add_option("--labels", options->labels, "Also write what each face is a part of, one line per face")
       ->type_name("FILE");
+  const std::size_t for_scenes = command->get_options().size();
   add_text(*command, "--transform-b", options->transform, "MATRIX",
            "Places B: 12 numbers \"m00 m01 ... m23\", a 3 x 4 matrix row by row");
   command->add_flag("--cross", options->cross,
                     "Unite A and B, which cross, and bridge at the radii from their intersection curves");
   for (std::size_t k = 0; k < 2; ++k) add_end(*command, k, options->ends[k]);
   add_shape(*command, *options);
+  const std::vector<CLI::Option*> all = command->get_options();
+  command->add_flag("--fill-holes", options->bridge.fill_holes,
+                    "Meshes may have holes, each within a contact curve; spots may lie within the openings");
   command->callback([=, &exit_status] {
+    for (std::size_t i = for_scenes; i < all.size(); ++i)
+      if (all[i]->count() > 0) options->shape_option = all[i]->get_name();
     std::vector<std::string> inputs;
     for (const std::string& file : {options->a, options->b, options->scene})
       if (!file.empty()) inputs.push_back(file);

@@ -3,6 +3,8 @@
 
 #include "failure.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <algorithm>
 #include <fstream>
 #include <utility>
@@ -24,10 +26,13 @@ class Bridge_run {
     }
     if (first.empty()) throw Failure(Exit::input, "input_unreadable", "no body is there before the first bridge");
     result_.mesh = unchecked::put_together(first);
+    if (fills_holes() && !CGAL::is_closed(result_.mesh)) fill();
   }
 
   Bridged_mesh run() {
-    for (const Bridge_step& step : scene_.steps) {
+    for (Bridge_step step : scene_.steps) {
+      if (filled_) unchecked::move_spots_to_fillings(*filled_, step.bridge.ends);
+      spots_.insert(spots_.end(), step.bridge.ends.begin(), step.bridge.ends.end());
       Blend_mesh next;
       std::optional<Drag> drag;
       const Bridge_outcome outcome = step.crossing ? cross(step, next) : join(step, next, drag);
@@ -40,10 +45,29 @@ class Bridge_run {
       result_.volume = outcome.volume;
       result_.area = outcome.area;
     }
+    if (filled_) check_fillings();
     return std::move(result_);
   }
 
  private:
+  [[nodiscard]] bool fills_holes() const {
+    return std::any_of(scene_.steps.begin(), scene_.steps.end(),
+                       [](const Bridge_step& step) { return step.bridge.options.fill_holes; });
+  }
+
+  void fill() {
+    filled_ = fill_mesh(result_.mesh);
+    if (!filled_->diagnosis.ok()) throw Failure(filled_->diagnosis);
+    result_.mesh = filled_->mesh;
+    for (std::size_t f = 0; f < result_.mesh.number_of_faces(); ++f) origins_.push_back(static_cast<std::uint32_t>(f));
+    result_.labels.resize(origins_.size());
+  }
+
+  void check_fillings() const {
+    const Diagnosis left = unchecked::check_fillings(*filled_, origins_, spots_);
+    if (!left.ok()) throw Failure(left);
+  }
+
   [[nodiscard]] bool is_crossing(std::size_t body) const {
     return std::any_of(scene_.steps.begin(), scene_.steps.end(),
                        [&](const Bridge_step& step) { return step.crossing == body; });
@@ -67,6 +91,7 @@ class Bridge_run {
 
   void relabel(const Bridge_outcome& outcome) {
     std::vector<Label> labels;
+    std::vector<std::uint32_t> origins;
     for (std::size_t f = 0; f < outcome.origins.size(); ++f) {
       Label label{true, 0, false};
       if (outcome.origins[f] != no_origin) {
@@ -74,7 +99,10 @@ class Bridge_run {
         label.kept = label.kept && f < outcome.kept_faces;
       }
       labels.push_back(label);
+      const bool is_filled = outcome.origins[f] < origins_.size();
+      origins.push_back(is_filled ? origins_[outcome.origins[f]] : no_origin);
     }
+    origins_ = std::move(origins);
     for (const auto& faces : outcome.bridge_faces) {
       for (const Face f : faces) labels[f.idx()].index = bridges_;
       ++bridges_;
@@ -104,7 +132,10 @@ class Bridge_run {
   const Bridge_scene& scene_;
   Report& report_;
   Bridged_mesh result_;
-  std::size_t bridges_ = 0;  // made so far
+  std::size_t bridges_ = 0;             // made so far
+  std::optional<Filled_mesh> filled_;   // if there are holes
+  std::vector<std::uint32_t> origins_;  // faces of the filled mesh, per face
+  std::vector<Bridge_end> spots_;
 };
 
 }  // namespace

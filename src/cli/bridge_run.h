@@ -13,7 +13,7 @@ namespace cgal_blend::cli {
 
 /// The mesh that a scene leads to, with what each face is a part of.
 struct Bridged_mesh {
-  /// A body of the scene, or a bridge.
+  /// A body of the scene, or a bridge; or, on the way, what fills a hole.
   struct Label {
     bool is_bridge = false;
     std::size_t index = 0;

@@ -111,15 +111,17 @@ int run_job(const std::string& command, const Output_options& output, const std:
   return static_cast<int>(failure->exit);
 }
 
+Blend_mesh read_placed(const std::string& path, Json& entry, Report& report, const Transform& placement) {
+  const Timer timer(report.read);
+  Blend_mesh mesh = read_mesh(path);
+  apply(placement, mesh);
+  entry = input_json(path, mesh);
+  return mesh;
+}
+
 Blend_mesh read_operand(const std::string& path, Json& entry, Report& report, const Transform& placement,
                         std::vector<Flaw>* flaws) {
-  Blend_mesh mesh;
-  {
-    const Timer timer(report.read);
-    mesh = read_mesh(path);
-    apply(placement, mesh);
-  }
-  entry = input_json(path, mesh);
+  Blend_mesh mesh = read_placed(path, entry, report, placement);
   const Timer timer(report.check_input);
   Validity_report validity = validate(mesh, flaws ? Flaw_policy::accept : Flaw_policy::refuse);
   if (flaws) {

@@ -17,6 +17,10 @@ namespace cgal_blend::cli {
 int run_job(const std::string& command, const Output_options& output, const std::vector<std::string>& inputs,
             const std::function<void(Report&)>& body);
 
+/// Reads an input mesh and places it. Fills `entry` and the time.
+[[nodiscard]] Blend_mesh read_placed(const std::string& path, Json& entry, Report& report,
+                                     const Transform& placement = {});
+
 /// Reads an input mesh, places it, and refuses it by name if it is not a valid solid. Fills `entry` and the times.
 /// \param flaws receives the flaws of the mesh, which are no reason to refuse it then; null: they are
 [[nodiscard]] Blend_mesh read_operand(const std::string& path, Json& entry, Report& report,
