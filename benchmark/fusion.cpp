@@ -38,25 +38,16 @@ void tessellate(benchmark::State& state, const Opening_model& model) {
 void tessellate_distances(benchmark::State& state) { tessellate(state, distance_opening()); }
 void tessellate_thin_plates(benchmark::State& state) { tessellate(state, rbf_opening()); }
 
+// Table 2, and a large transition.
+void transition_sizes(benchmark::internal::Benchmark* benchmark) {
+  for (const int vertices : {1312, 2110, 2930, 4194, 5168, 50000}) benchmark->Arg(vertices);
+  benchmark->Unit(benchmark::kMillisecond);
+}
+
 // Table 1, and a large opening.
 BENCHMARK(fit_thin_plate)->Arg(30)->Arg(61)->Arg(102)->Arg(156)->Arg(213)->Arg(2000)->Unit(benchmark::kMillisecond);
-// Table 2, and a large transition.
-BENCHMARK(tessellate_distances)
-    ->Arg(1312)
-    ->Arg(2110)
-    ->Arg(2930)
-    ->Arg(4194)
-    ->Arg(5168)
-    ->Arg(50000)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(tessellate_thin_plates)
-    ->Arg(1312)
-    ->Arg(2110)
-    ->Arg(2930)
-    ->Arg(4194)
-    ->Arg(5168)
-    ->Arg(50000)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(tessellate_distances)->Apply(transition_sizes);
+BENCHMARK(tessellate_thin_plates)->Apply(transition_sizes);
 
 }  // namespace
 }  // namespace cgal_blend::test

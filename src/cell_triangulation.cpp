@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_triangulation.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "marked_triangulation.h"
 
 #include <map>
 
@@ -11,12 +9,7 @@ namespace cgal_blend {
 
 namespace {
 
-using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Vertex, Kernel>;
-using Face_info_base = CGAL::Triangulation_face_base_with_info_2<bool, Kernel>;
-using Face_base = CGAL::Constrained_triangulation_face_base_2<Kernel, Face_info_base>;
-using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation = Marked_triangulation<Vertex, Kernel>;
 using Step = std::pair<Vertex, Vertex>;
 
 /// Projects along the largest component of the normal: coordinates stay as they are, so predicates stay exact.
@@ -117,7 +110,8 @@ class Cell_builder {
   [[nodiscard]] std::vector<std::array<Vertex, 3>> marked() const {
     std::vector<std::array<Vertex, 3>> triangles;
     for (const auto face : triangulation_.finite_face_handles())
-      if (face->info()) triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+      if (face->info())
+        triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     return triangles;
   }
 
@@ -175,7 +169,8 @@ Cell_triangulation triangulate_cell(const Blend_mesh& mesh, const Vec& normal, c
   if (build(builder, border, segments, inner))
     result.triangles = builder.marked();
   else
-    result.conflict = builder.conflict.value_or(mesh.point(border.empty() ? segments.front().first : border.front().first));
+    result.conflict =
+        builder.conflict.value_or(mesh.point(border.empty() ? segments.front().first : border.front().first));
   return result;
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill_loop.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include "marked_triangulation.h"
+
 #include <CGAL/Projection_traits_3.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 namespace cgal_blend {
 
@@ -33,13 +32,7 @@ class Polygon_triangulation {
   }
 
  private:
-  using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Traits>;
-  using Face_info_base = CGAL::Triangulation_face_base_with_info_2<bool, Traits>;
-  using Face_base = CGAL::Constrained_triangulation_face_base_2<Traits, Face_info_base>;
-  using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-  using Triangulation =
-      CGAL::Constrained_Delaunay_triangulation_2<Traits, Structure,
-                                                 CGAL::No_constraint_intersection_requiring_constructions_tag>;
+  using Triangulation = Marked_triangulation<std::size_t, Traits>;
   using Handle = typename Triangulation::Vertex_handle;
   using Face_handle = typename Triangulation::Face_handle;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuse_assembly.h"
+#include "placed_region.h"
 
 #include <cgal_blend/validate.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -44,11 +44,6 @@ class Inspector {
     CGAL::Bbox_3 sum;
     for (const Vertex v : vertices_around_face(mesh_.halfedge(f), mesh_)) sum += mesh_.point(v).bbox();
     return sum;
-  }
-  [[nodiscard]] Vector_3 normal(Face f) const {
-    const Halfedge h = mesh_.halfedge(f);
-    const Point_3& p = mesh_.point(mesh_.source(h));
-    return CGAL::cross_product(mesh_.point(mesh_.target(h)) - p, mesh_.point(mesh_.target(mesh_.next(h))) - p);
   }
   [[nodiscard]] Status kind(const Flaw& flaw) const;
 
@@ -114,8 +109,7 @@ void Inspector::measure_tangency(Fuse_outcome& outcome) const {
     for (const Halfedge h : halfedges_around_face(mesh_.halfedge(f), mesh_)) {
       const Face other = mesh_.face(mesh_.opposite(h));
       if (is_transition(other)) continue;
-      const Vector_3 a = normal(f), b = normal(other);
-      const double angle = std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b) * 180 / CGAL_PI;
+      const double angle = angle_between(face_normal(mesh_, f), face_normal(mesh_, other)) * 180 / CGAL_PI;
       sum += angle;
       ++count;
       outcome.tangency_max = std::max(outcome.tangency_max, angle);

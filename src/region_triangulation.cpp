@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "region_triangulation.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "marked_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +12,7 @@ namespace cgal_blend {
 
 namespace {
 
-using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-using Face_info_base = CGAL::Triangulation_face_base_with_info_2<bool, Kernel>;
-using Face_base = CGAL::Constrained_triangulation_face_base_2<Kernel, Face_info_base>;
-using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
-                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation = Marked_triangulation<std::size_t, Kernel>;
 using Vertex_handle = Triangulation::Vertex_handle;
 using Face_handle = Triangulation::Face_handle;
 using Point_2 = Kernel::Point_2;

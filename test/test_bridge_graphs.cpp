@@ -3,6 +3,7 @@
 
 #include "bridge_spheres.h"
 #include "checks.h"
+#include "graphs.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -17,19 +18,6 @@ namespace {
 
 using namespace cgal_blend;
 using namespace cgal_blend::test;
-using CGAL::parameters::default_values;
-
-template <class Graph>
-Graph graph_of(const Blend_mesh& mesh) {
-  Graph graph;
-  (void)internal::copy_out(mesh, graph, default_values());
-  return graph;
-}
-
-template <class Graph>
-Blend_mesh blend_mesh_of(const Graph& graph) {
-  return internal::Mesh_copy<Graph>(graph, default_values()).mesh();
-}
 
 template <class Graph>
 class Bridge_graphs : public testing::Test {};

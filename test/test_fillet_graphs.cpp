@@ -2,6 +2,7 @@
 #include <cgal_blend/fillet.h>
 
 #include "checks.h"
+#include "graphs.h"
 #include "shapes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -21,7 +22,6 @@ namespace {
 
 using namespace cgal_blend;
 using namespace cgal_blend::test;
-using CGAL::parameters::default_values;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -35,18 +35,6 @@ Fillet_options ball(double radius) {
   Fillet_options options;
   options.radius = radius;
   return options;
-}
-
-template <class Graph>
-Graph graph_of(const Blend_mesh& mesh) {
-  Graph graph;
-  (void)internal::copy_out(mesh, graph, default_values());
-  return graph;
-}
-
-template <class Graph>
-Blend_mesh blend_mesh_of(const Graph& graph) {
-  return internal::Mesh_copy<Graph>(graph, default_values()).mesh();
 }
 
 /// The edges of the upper rim of the boss.

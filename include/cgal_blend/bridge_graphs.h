@@ -63,6 +63,19 @@ Bridge_result<Graph> hand_out_bridge(const Bridge_outcome& outcome, const Blend_
   return result;
 }
 
+/// Checks two bodies by name, and hands out what an engine makes of them.
+template <class Engine, class Graph, class Named_parameters>
+Bridge_result<Graph> bridge_two(const Blend_mesh& a, const Blend_mesh& b, const Engine& engine, Graph& out,
+                                const Bridge_options& options, const Named_parameters& np) {
+  if (Diagnosis bad = check_bridge_input(a, "first body", options); !bad.ok())
+    return refused_bridge<Graph>(std::move(bad));
+  if (Diagnosis bad = check_bridge_input(b, "second body", options); !bad.ok())
+    return refused_bridge<Graph>(std::move(bad));
+  Blend_mesh result;
+  const Bridge_outcome outcome = engine(a, b, result);
+  return hand_out_bridge(outcome, result, out, np);
+}
+
 }  // namespace internal
 
 /// Joins two spots of a mesh by a smooth tube; see the engine in `unchecked`.
@@ -96,16 +109,11 @@ template <class Graph_a, class Graph_b, class Output,
     const Bridge_options& options = {}, const Named_parameters_a& np_a = CGAL::parameters::default_values(),
     const Named_parameters_b& np_b = CGAL::parameters::default_values(),
     const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
-  const internal::Mesh_copy<Graph_a> copy_a(a, np_a);
-  const internal::Mesh_copy<Graph_b> copy_b(b, np_b);
-  if (Diagnosis bad = internal::check_bridge_input(copy_a.mesh(), "first body", options); !bad.ok())
-    return internal::refused_bridge<Output>(std::move(bad));
-  if (Diagnosis bad = internal::check_bridge_input(copy_b.mesh(), "second body", options); !bad.ok())
-    return internal::refused_bridge<Output>(std::move(bad));
-  Blend_mesh result;
-  const Bridge_outcome outcome =
-      unchecked::bridge(unchecked::put_together({&copy_a.mesh(), &copy_b.mesh()}), ends, result, options);
-  return internal::hand_out_bridge(outcome, result, out, np_out);
+  const auto engine = [&](const Blend_mesh& first, const Blend_mesh& second, Blend_mesh& result) {
+    return unchecked::bridge(unchecked::put_together({&first, &second}), ends, result, options);
+  };
+  return internal::bridge_two(internal::Mesh_copy<Graph_a>(a, np_a).mesh(),
+                              internal::Mesh_copy<Graph_b>(b, np_b).mesh(), engine, out, options, np_out);
 }
 
 /// Unites two bodies that cross, with bridges in place of their intersection curves; see the engine in `unchecked`.
@@ -118,15 +126,11 @@ template <class Graph_a, class Graph_b, class Output,
     const Bridge_options& options = {}, const Named_parameters_a& np_a = CGAL::parameters::default_values(),
     const Named_parameters_b& np_b = CGAL::parameters::default_values(),
     const Named_parameters_out& np_out = CGAL::parameters::default_values()) {
-  const internal::Mesh_copy<Graph_a> copy_a(a, np_a);
-  const internal::Mesh_copy<Graph_b> copy_b(b, np_b);
-  if (Diagnosis bad = internal::check_bridge_input(copy_a.mesh(), "first body", options); !bad.ok())
-    return internal::refused_bridge<Output>(std::move(bad));
-  if (Diagnosis bad = internal::check_bridge_input(copy_b.mesh(), "second body", options); !bad.ok())
-    return internal::refused_bridge<Output>(std::move(bad));
-  Blend_mesh result;
-  const Bridge_outcome outcome = unchecked::bridge_intersection(copy_a.mesh(), copy_b.mesh(), ends, result, options);
-  return internal::hand_out_bridge(outcome, result, out, np_out);
+  const auto engine = [&](const Blend_mesh& first, const Blend_mesh& second, Blend_mesh& result) {
+    return unchecked::bridge_intersection(first, second, ends, result, options);
+  };
+  return internal::bridge_two(internal::Mesh_copy<Graph_a>(a, np_a).mesh(),
+                              internal::Mesh_copy<Graph_b>(b, np_b).mesh(), engine, out, options, np_out);
 }
 
 }  // namespace cgal_blend
